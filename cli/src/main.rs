@@ -1,0 +1,3 @@
+//! `motionbench`: the simulator without a browser.
+
+fn main() {}
