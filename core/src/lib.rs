@@ -9,3 +9,12 @@
         clippy::unreachable
     )
 )]
+
+pub mod controller;
+pub mod exec;
+pub mod files;
+pub mod mc600;
+pub mod probe;
+pub mod serial;
+pub mod time;
+pub mod trace;

@@ -1,0 +1,75 @@
+//! The one file that names every controller.
+
+use crate::controller::Controller;
+use crate::language::{Diagnostic, Highlight, KeywordRow};
+use crate::mc600::{self, Mc600};
+
+/// A station on the bench. An enum, not a box of `dyn`, so that the bench is `Clone` and a checkpoint is a copy.
+#[derive(Debug, Clone)]
+#[allow(missing_docs)]
+pub enum Station {
+    Mc600(Box<Mc600>),
+}
+
+impl Station {
+    /// The station as the bench sees it.
+    pub fn controller(&self) -> &dyn Controller {
+        match self {
+            Station::Mc600(station) => station.as_ref(),
+        }
+    }
+
+    /// The station as the bench drives it.
+    pub fn controller_mut(&mut self) -> &mut dyn Controller {
+        match self {
+            Station::Mc600(station) => station.as_mut(),
+        }
+    }
+}
+
+/// A kind of controller.
+#[derive(Debug, Clone, Copy)]
+pub struct Kind {
+    /// The name in scenarios and on the command line.
+    pub id: &'static str,
+    /// For people.
+    pub name: &'static str,
+    /// What can be given when it is put on the bench.
+    pub options: &'static [Opt],
+    /// Makes one, switched off.
+    ///
+    /// # Errors
+    /// One clear line about an option that does not exist or a value that it cannot have.
+    pub create: fn(&[(String, String)]) -> Result<Station, String>,
+    /// What is wrong with a program, told from its text alone.
+    pub diagnose: fn(&str) -> Vec<Diagnostic>,
+    /// The classes of a program line's parts, from the controller's own lexer.
+    pub highlight: fn(&str) -> Vec<Highlight>,
+    /// Every word of its language.
+    pub keywords: fn() -> Vec<&'static KeywordRow>,
+}
+
+/// An option of a kind of controller.
+#[derive(Debug, Clone, Copy)]
+pub struct Opt {
+    /// Its key.
+    pub key: &'static str,
+    /// What it may be, and what it is without being given.
+    pub help: &'static str,
+}
+
+/// Every kind there is.
+pub const KINDS: &[Kind] = &[Kind {
+    id: "mc600",
+    name: "Danaher MC-600",
+    options: mc600::OPTIONS,
+    create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
+    diagnose: mc600::diagnose::diagnose,
+    highlight: mc600::diagnose::highlight,
+    keywords: mc600::keywords::rows,
+}];
+
+/// The kind called `id`.
+pub fn kind(id: &str) -> Option<&'static Kind> {
+    KINDS.iter().find(|kind| kind.id == id)
+}

@@ -1,0 +1,142 @@
+//! Named bytes with a quota: what a controller calls a disk.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A disk: files by name, in upper case, bounded.
+#[derive(Debug, Clone)]
+pub struct Disk {
+    files: BTreeMap<String, Rc<[u8]>>,
+    /// Bytes that all files together may hold.
+    quota: usize,
+}
+
+/// The disk has no room for the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DiskFull;
+
+impl Disk {
+    /// An empty disk of `quota` bytes.
+    pub fn new(quota: usize) -> Disk {
+        Disk {
+            files: BTreeMap::new(),
+            quota,
+        }
+    }
+
+    /// Writes a file whole, replacing one of the same name.
+    ///
+    /// # Errors
+    /// [`DiskFull`] if the quota does not allow it; the old file then stays.
+    pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), DiskFull> {
+        let name = name.to_ascii_uppercase();
+        let replaced = self.files.get(&name).map_or(0, |old| old.len());
+        if self.used() - replaced + bytes.len() > self.quota {
+            return Err(DiskFull);
+        }
+        self.files.insert(name, bytes.into());
+        Ok(())
+    }
+
+    /// A file's bytes.
+    pub fn read(&self, name: &str) -> Option<Rc<[u8]>> {
+        self.files.get(&name.to_ascii_uppercase()).cloned()
+    }
+
+    /// Removes every file.
+    pub fn clear(&mut self) {
+        self.files.clear();
+    }
+
+    /// Bytes held by all files.
+    pub fn used(&self) -> usize {
+        self.files.values().map(|bytes| bytes.len()).sum()
+    }
+
+    /// Bytes still free.
+    pub fn free(&self) -> usize {
+        self.quota.saturating_sub(self.used())
+    }
+
+    /// All files in order of their names.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Rc<[u8]>)> {
+        self.files
+            .iter()
+            .map(|(name, bytes)| (name.as_str(), bytes))
+    }
+}
+
+/// Whether `name` matches `mask`; name and extension are matched apart, `*` is any number of characters, `?` is one.
+/// A mask without a point matches only names without an extension unless it ends in `*`.
+pub fn matches(mask: &str, name: &str) -> bool {
+    let (mask, name) = (mask.to_ascii_uppercase(), name.to_ascii_uppercase());
+    let (mask_stem, mask_extension) = split(&mask);
+    let (stem, extension) = split(&name);
+    let any_extension = !mask.contains('.') && mask.ends_with('*');
+    part_matches(mask_stem.as_bytes(), stem.as_bytes())
+        && (any_extension || part_matches(mask_extension.as_bytes(), extension.as_bytes()))
+}
+
+fn split(name: &str) -> (&str, &str) {
+    name.rsplit_once('.').unwrap_or((name, ""))
+}
+
+fn part_matches(mask: &[u8], name: &[u8]) -> bool {
+    // Greedy with one remembered star: linear in practice, never exponential.
+    let (mut m, mut n) = (0, 0);
+    let mut star: Option<(usize, usize)> = None;
+    while n < name.len() {
+        match mask.get(m) {
+            Some(b'*') => {
+                star = Some((m, n));
+                m += 1;
+            }
+            Some(&c) if c == b'?' || Some(&c) == name.get(n) => {
+                m += 1;
+                n += 1;
+            }
+            _ => match star {
+                Some((star_m, star_n)) => {
+                    m = star_m + 1;
+                    n = star_n + 1;
+                    star = Some((star_m, star_n + 1));
+                }
+                None => return false,
+            },
+        }
+    }
+    mask.iter().skip(m).all(|&c| c == b'*')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wildcards_match_stem_and_extension_apart() {
+        for (mask, name, expected) in [
+            ("*.txt", "FREE.TXT", true),
+            ("*.txt", "FREE.BAS", false),
+            ("chap*.zip", "chapter1.zip", true),
+            ("big*.*", "bignews.exe", true),
+            ("yah???.bas", "yahabc.bas", true),
+            ("yah???.bas", "yahab.bas", false),
+            ("*", "A.BAS", true),
+            ("A", "A.BAS", false),
+            ("*A*B*C.X", "XXAYYBZZC.X", true),
+        ] {
+            assert_eq!(matches(mask, name), expected, "{mask} {name}");
+        }
+    }
+
+    #[test]
+    fn a_full_disk_keeps_the_old_file() {
+        let mut disk = Disk::new(10);
+        disk.write("a.bas", b"12345678").unwrap();
+        assert_eq!(disk.write("A.BAS", b"12345678901"), Err(DiskFull));
+        assert_eq!(disk.read("A.bas").as_deref(), Some(&b"12345678"[..]));
+        assert_eq!(disk.write("b", b"123"), Err(DiskFull));
+        disk.write("A.BAS", b"1234567890").unwrap();
+        assert_eq!(disk.free(), 0);
+    }
+}
