@@ -1,0 +1,96 @@
+//! `cargo xtask serve`: builds the page, serves it on loopback, builds again on a change.
+
+use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::time::{Duration, Instant};
+
+use crate::report::Report;
+use crate::setup::Need;
+use crate::{Result, shell};
+
+const FIRST_PORT: u16 = 8080;
+
+/// Serves until it is stopped with Ctrl-C. `--dev` builds without optimising the page.
+pub(crate) fn run(arguments: &[&str]) -> Result<()> {
+    let (release, port) = options(arguments)?;
+    let mut report = Report::default();
+    for need in [Need::Rust, Need::Libraries, Need::Bindgen, Need::Trunk] {
+        if !need.provide(&mut report) {
+            return report.expect_passed();
+        }
+    }
+    let profile = if release {
+        "as it is published"
+    } else {
+        "for development"
+    };
+    println!("\n==> page: built {profile} and served (2 to 3 minutes the first time)");
+    let port = port.to_string();
+    // A folder of its own, so that a test of the site can run beside.
+    let mut arguments = vec![
+        "serve",
+        "--offline",
+        "--dist",
+        "target/served",
+        "--port",
+        &port,
+    ];
+    if release {
+        arguments.push("--release");
+    }
+    let start = Instant::now();
+    let mut trunk = shell::command("trunk", &arguments)
+        .spawn()
+        .map_err(|error| format!("trunk: {error}"))?;
+    let mut announced = false;
+    loop {
+        let ended = trunk
+            .try_wait()
+            .map_err(|error| format!("trunk: {error}"))?;
+        if let Some(status) = ended {
+            return Err(format!("the server ended: {status}"));
+        }
+        if !announced && answers(&port) {
+            announced = true;
+            println!(
+                "<== page done, {:.1} s\n\n    http://127.0.0.1:{port}/    (Ctrl-C stops)\n",
+                start.elapsed().as_secs_f64()
+            );
+        }
+        std::thread::sleep(Duration::from_millis(200));
+    }
+}
+
+/// Whether to build a release, and the port: the one asked for, else the first free one.
+fn options(arguments: &[&str]) -> Result<(bool, u16)> {
+    let mut release = true;
+    let mut port = None;
+    let mut rest = arguments.iter();
+    while let Some(argument) = rest.next() {
+        match *argument {
+            "--dev" => release = false,
+            "--port" => {
+                let number = rest.next().and_then(|number| number.parse().ok());
+                port = Some(number.ok_or("--port needs a number from 1 to 65535")?);
+            }
+            other => {
+                return Err(format!(
+                    "serve does not know {other}; it knows --dev, --port N"
+                ));
+            }
+        }
+    }
+    let free = |port: &u16| TcpListener::bind((Ipv4Addr::LOCALHOST, *port)).is_ok();
+    match port {
+        Some(port) if free(&port) => Ok((release, port)),
+        Some(port) => Err(format!("port {port} is in use")),
+        None => (FIRST_PORT..FIRST_PORT + 100)
+            .find(free)
+            .map(|port| (release, port))
+            .ok_or_else(|| format!("no free port from {FIRST_PORT} on")),
+    }
+}
+
+fn answers(port: &str) -> bool {
+    port.parse()
+        .is_ok_and(|port: u16| TcpStream::connect((Ipv4Addr::LOCALHOST, port)).is_ok())
+}
