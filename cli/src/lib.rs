@@ -1,1 +1,3 @@
-//! What the runner shares with the browser: the measured programs of `motionbench speed`.
+//! What the runner shares with the tests: the measured programs of `motionbench speed`.
+
+pub mod speed;

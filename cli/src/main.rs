@@ -1,3 +1,9 @@
 //! `motionbench`: the simulator without a browser.
 
-fn main() {}
+use std::time::Instant;
+
+fn main() {
+    let start = Instant::now();
+    let now = || start.elapsed().as_nanos() as f64;
+    println!("{}", motionbench::speed::report(None, &now));
+}

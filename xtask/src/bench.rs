@@ -64,7 +64,7 @@ fn measure_browser() -> Result<String> {
         "--test",
         "speed",
         "--",
-        "--ignored",
+        "--include-ignored",
         "--nocapture",
     ]);
     command.env("CHROMEDRIVER", driver);
