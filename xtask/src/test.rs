@@ -14,7 +14,7 @@ struct Check {
     run: fn() -> Result<()>,
 }
 
-const CHECKS: [Check; 7] = [
+const CHECKS: [Check; 8] = [
     Check {
         name: "format",
         what: "the sources are formatted",
@@ -26,6 +26,12 @@ const CHECKS: [Check; 7] = [
         what: "no lint of the compiler or clippy, native and wasm",
         needs: &[Rust, Libraries],
         run: clippy,
+    },
+    Check {
+        name: "docs",
+        what: "the documentation of the simulator has no broken link",
+        needs: &[Rust, Libraries],
+        run: docs,
     },
     Check {
         name: "native",
@@ -120,6 +126,13 @@ fn clippy() -> Result<()> {
         "motionbench-tests",
     ];
     shell::run(shell::cargo(&[&wasm[..], &deny].concat()))
+}
+
+fn docs() -> Result<()> {
+    let options = ["doc", "--locked", "--no-deps", "-p", "motionbench-core"];
+    let mut command = shell::cargo(&options);
+    command.env("RUSTDOCFLAGS", "-D warnings");
+    shell::run(command)
 }
 
 fn native() -> Result<()> {
