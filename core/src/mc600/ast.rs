@@ -6,7 +6,7 @@
 use super::firmware::ErrorCode;
 use super::keywords::Keyword;
 use super::sysvars::SysVar;
-use crate::language::Span;
+use crate::language::{Cure, Span};
 
 /// One statement with its place in the line.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,8 +22,12 @@ pub struct Statement {
 pub struct Malformed {
     /// The error that the device raises when the statement is reached.
     pub error: ErrorCode,
+    /// Where, within the statement.
+    pub span: Span,
     /// A plain sentence for the editor.
     pub cause: String,
+    /// What would settle it, where that is clear.
+    pub cure: Option<Cure>,
 }
 
 /// Every statement and command of MotionBasic.

@@ -1,0 +1,34 @@
+/// One word of a controller's language: a row of its table, from which lexer, completion, help and the support tables
+/// in `docs/languages` are fed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct KeywordRow {
+    /// As the controller prints it.
+    pub word: &'static str,
+    /// Which group it belongs to, for example `function`.
+    pub kind: &'static str,
+    /// How it is written; `[ ]` may be left out, `...` repeats.
+    pub syntax: &'static str,
+    /// What it does, in one sentence.
+    pub summary: &'static str,
+    /// Where the manual describes it.
+    pub section: ManualRef,
+    /// Whether it works here.
+    pub support: Support,
+    /// A line that uses it.
+    pub example: &'static str,
+}
+
+/// A section of the controller's manual, by its title.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct ManualRef(pub &'static str);
+
+/// How far a word works.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub enum Support {
+    /// As the manual says.
+    Full,
+    /// With the exception named.
+    Partial(&'static str),
+    /// Not at all, for the reason given.
+    Absent(&'static str),
+}
