@@ -10,8 +10,8 @@ use std::collections::BinaryHeap;
 use crate::catalog::Station;
 use crate::controller::{Controller, Input, Output, Ports, Refused, Telegram};
 use crate::probe::{ConsoleByte, MotionLog, Probe};
-use crate::serial::{Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
 use crate::serial::Flow;
+use crate::serial::{Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
 use crate::time::Nanos;
 use crate::trace::Trace;
 
@@ -114,7 +114,11 @@ impl Bench {
         if let Some(line) = self.lines.get_mut(line) {
             line.chain.push(index);
         }
-        self.stations.push(Place { name: name.to_owned(), station, line });
+        self.stations.push(Place {
+            name: name.to_owned(),
+            station,
+            line,
+        });
         index
     }
 
@@ -135,12 +139,16 @@ impl Bench {
 
     /// A station by its index.
     pub fn station(&self, index: usize) -> Option<&dyn Controller> {
-        self.stations.get(index).map(|place| place.station.controller())
+        self.stations
+            .get(index)
+            .map(|place| place.station.controller())
     }
 
     /// A station by its index, to load, debug or restore.
     pub fn station_mut(&mut self, index: usize) -> Option<&mut dyn Controller> {
-        self.stations.get_mut(index).map(|place| place.station.controller_mut())
+        self.stations
+            .get_mut(index)
+            .map(|place| place.station.controller_mut())
     }
 
     /// The index of the station called `name`.
@@ -175,9 +183,16 @@ impl Bench {
 
     /// Queues bytes on the host's side of a line; they travel at line speed. Returns how many had room.
     pub fn send(&mut self, line: usize, bytes: &[u8]) -> usize {
-        let Some(line) = self.lines.get_mut(line) else { return 0 };
-        let room = HOST_QUEUE.saturating_sub(line.transmitter.pending()).min(bytes.len());
-        bytes.iter().take(room).for_each(|&byte| line.transmitter.push(byte));
+        let Some(line) = self.lines.get_mut(line) else {
+            return 0;
+        };
+        let room = HOST_QUEUE
+            .saturating_sub(line.transmitter.pending())
+            .min(bytes.len());
+        bytes
+            .iter()
+            .take(room)
+            .for_each(|&byte| line.transmitter.push(byte));
         room
     }
 
@@ -199,7 +214,9 @@ impl Bench {
 
     /// Forgets what the host has queued and not begun to send; returns how many bytes that were.
     pub fn cancel(&mut self, line: usize) -> usize {
-        let Some(line) = self.lines.get_mut(line) else { return 0 };
+        let Some(line) = self.lines.get_mut(line) else {
+            return 0;
+        };
         let pending = line.transmitter.pending();
         line.transmitter.discard();
         pending
@@ -207,7 +224,9 @@ impl Bench {
 
     /// Bytes that the host has queued and not begun to send.
     pub fn host_pending(&self, line: usize) -> usize {
-        self.lines.get(line).map_or(0, |line| line.transmitter.pending())
+        self.lines
+            .get(line)
+            .map_or(0, |line| line.transmitter.pending())
     }
 
     /// How the host's side of a line is set.
@@ -228,12 +247,19 @@ impl Bench {
 
     /// Whether nothing is on its way and no host has anything left to send (what XOFF holds back counts).
     pub fn is_quiet(&self) -> bool {
-        self.events.is_empty() && self.lines.iter().all(|line| !line.transmitter.is_busy(self.now))
+        self.events.is_empty()
+            && self
+                .lines
+                .iter()
+                .all(|line| !line.transmitter.is_busy(self.now))
     }
 
     /// Advances simulated time to `until`; everything due by then has happened.
     pub fn run_until(&mut self, until: Nanos, probe: &mut Probe) {
-        let mut ports = Ports { log_motion: probe.log_motion, ..Ports::default() };
+        let mut ports = Ports {
+            log_motion: probe.log_motion,
+            ..Ports::default()
+        };
         while let Some((at, due)) = self.next_due().filter(|&(at, _)| at <= until) {
             self.now = at;
             self.perform(due, &mut ports, probe);
@@ -246,15 +272,23 @@ impl Bench {
 
     /// Advances to the next thing that is due, if it is due by `until`, and does it; `false` if there was none.
     pub fn run_next(&mut self, until: Nanos, probe: &mut Probe) -> bool {
-        let Some((at, due)) = self.next_due().filter(|&(at, _)| at <= until) else { return false };
-        let mut ports = Ports { log_motion: probe.log_motion, ..Ports::default() };
+        let Some((at, due)) = self.next_due().filter(|&(at, _)| at <= until) else {
+            return false;
+        };
+        let mut ports = Ports {
+            log_motion: probe.log_motion,
+            ..Ports::default()
+        };
         self.now = at;
         self.perform(due, &mut ports, probe);
         true
     }
 
     fn next_due(&self) -> Option<(Nanos, Due)> {
-        let event = self.events.peek().map(|Reverse(event)| (event.at, Due::Event));
+        let event = self
+            .events
+            .peek()
+            .map(|Reverse(event)| (event.at, Due::Event));
         let mut first = event;
         let mut consider = |at: Nanos, due: Due| {
             if first.as_ref().is_none_or(|&(earliest, _)| at < earliest) {
@@ -284,7 +318,10 @@ impl Bench {
                 let line = self.lines.get_mut(index);
                 let begun = line.and_then(|line| {
                     let frame = line.transmitter.next_frame(now, Nanos::MAX)?;
-                    Some((frame, line.chain.first().map(|&first| Destination::Station(first))))
+                    Some((
+                        frame,
+                        line.chain.first().map(|&first| Destination::Station(first)),
+                    ))
                 });
                 if let Some((frame, Some(to))) = begun {
                     self.schedule(frame.end(), to, Passing::Frame(0, frame));
@@ -296,7 +333,9 @@ impl Bench {
 
     fn sample(&mut self, index: usize, ports: &mut Ports, probe: &mut Probe) {
         let now = self.now;
-        let Some(place) = self.stations.get_mut(index) else { return };
+        let Some(place) = self.stations.get_mut(index) else {
+            return;
+        };
         let controller = place.station.controller_mut();
         controller.sample(now, ports);
         if probe.record {
@@ -310,7 +349,11 @@ impl Bench {
             }
         }
         for (at, command) in ports.motion.drain(..) {
-            probe.motion.push(MotionLog { station: index, at, command });
+            probe.motion.push(MotionLog {
+                station: index,
+                at,
+                command,
+            });
         }
         for (at, output) in std::mem::take(&mut ports.outputs) {
             self.route(index, at, output);
@@ -321,16 +364,26 @@ impl Bench {
     fn route(&mut self, from: usize, at: Nanos, output: Output) {
         match output {
             Output::Frame { connector, frame } => {
-                let Some(place) = self.stations.get(from) else { return };
-                let Some(line) = self.lines.get(place.line) else { return };
+                let Some(place) = self.stations.get(from) else {
+                    return;
+                };
+                let Some(line) = self.lines.get(place.line) else {
+                    return;
+                };
                 let position = line.chain.iter().position(|&station| station == from);
                 let next = position.and_then(|position| line.chain.get(position + 1));
-                let to = next.map_or(Destination::Host(place.line), |&station| Destination::Station(station));
+                let to = next.map_or(Destination::Host(place.line), |&station| {
+                    Destination::Station(station)
+                });
                 self.schedule(at, to, Passing::Frame(connector, frame));
             }
             Output::Telegram(telegram) => {
                 for station in (0..self.stations.len()).filter(|&station| station != from) {
-                    self.schedule(at, Destination::Station(station), Passing::Telegram(telegram.clone()));
+                    self.schedule(
+                        at,
+                        Destination::Station(station),
+                        Passing::Telegram(telegram.clone()),
+                    );
                 }
             }
             // Nothing is wired between stations yet.
@@ -340,7 +393,12 @@ impl Bench {
 
     fn schedule(&mut self, at: Nanos, to: Destination, what: Passing) {
         self.sequence += 1;
-        self.events.push(Reverse(Event { at: at.max(self.now), sequence: self.sequence, to, what }));
+        self.events.push(Reverse(Event {
+            at: at.max(self.now),
+            sequence: self.sequence,
+            to,
+            what,
+        }));
     }
 
     fn deliver(&mut self, event: Event, probe: &mut Probe) {
@@ -365,13 +423,19 @@ impl Bench {
     /// Reads what has arrived at a host.
     fn receive(&mut self, index: usize, probe: &mut Probe) {
         let now = self.now;
-        let Some(line) = self.lines.get_mut(index) else { return };
+        let Some(line) = self.lines.get_mut(index) else {
+            return;
+        };
         while let Some(received) = line.receiver.next(now) {
             let obeys = line.transmitter.settings().flow == Flow::XonXoff;
             match received.byte {
                 XOFF if obeys => line.transmitter.hold(true),
                 XON if obeys => line.transmitter.hold(false),
-                byte => probe.console.push(ConsoleByte { line: index, at: received.at, byte }),
+                byte => probe.console.push(ConsoleByte {
+                    line: index,
+                    at: received.at,
+                    byte,
+                }),
             }
         }
     }

@@ -27,6 +27,9 @@ impl Station {
     }
 }
 
+/// Makes a station of some kind from its options; an error is one clear line.
+pub type Create = fn(&[(String, String)]) -> Result<Station, String>;
+
 /// A kind of controller.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
@@ -40,7 +43,7 @@ pub struct Kind {
     ///
     /// # Errors
     /// One clear line about an option that does not exist or a value that it cannot have.
-    pub create: fn(&[(String, String)]) -> Result<Station, String>,
+    pub create: Create,
     /// What is wrong with a program, told from its text alone.
     pub diagnose: fn(&str) -> Vec<Diagnostic>,
     /// The classes of a program line's parts, from the controller's own lexer.

@@ -10,11 +10,20 @@
     )
 )]
 
+pub mod bench;
+pub mod catalog;
 pub mod controller;
 pub mod exec;
 pub mod files;
+pub mod io;
+pub mod language;
 pub mod mc600;
+pub mod motion;
+pub mod number;
+pub mod plant;
 pub mod probe;
+pub mod scenario;
 pub mod serial;
+pub mod servo;
 pub mod time;
 pub mod trace;

@@ -31,6 +31,37 @@ pub enum ErrorCode {
 }
 
 impl ErrorCode {
+    const ALL: [ErrorCode; 20] = [
+        ErrorCode::Syntax,
+        ErrorCode::NextWithoutFor,
+        ErrorCode::ReturnWithoutGosub,
+        ErrorCode::OutOfData,
+        ErrorCode::IllegalQuantity,
+        ErrorCode::Overflow,
+        ErrorCode::OutOfMemory,
+        ErrorCode::UndefdStatement,
+        ErrorCode::UndefinedLineNumber,
+        ErrorCode::BadSubscript,
+        ErrorCode::RedimdArray,
+        ErrorCode::DivisionByZero,
+        ErrorCode::TypeMismatch,
+        ErrorCode::StringTooLong,
+        ErrorCode::FormulaTooComplex,
+        ErrorCode::CantContinue,
+        ErrorCode::FileNotFound,
+        ErrorCode::FileOpen,
+        ErrorCode::IllegalDirect,
+        ErrorCode::NotImplemented,
+    ];
+
+    /// The error that `error as u16` came from.
+    pub fn from_number(number: u16) -> ErrorCode {
+        ErrorCode::ALL
+            .get(usize::from(number))
+            .copied()
+            .unwrap_or(ErrorCode::Syntax)
+    }
+
     /// The words between `?` and ` ERROR`.
     pub fn text(self) -> &'static str {
         match self {
@@ -61,11 +92,16 @@ impl ErrorCode {
 /// The planner's sample period ("How the MC-600 works"; the unit `Sampling time` of the planner).
 pub const SAMPLE: Nanos = Nanos(2_000_000);
 
-/// Time of a simple statement on the card's C167 (assumed).
-pub const STATEMENT: Nanos = Nanos(400_000);
+/// Firmware time in which statement costs are counted, in ns (assumed: what one operand adds to a statement on the
+/// card's C167).
+pub const COST_UNIT: i64 = 50_000;
 
-/// Time that each operand adds to a statement (assumed).
-pub const OPERAND: Nanos = Nanos(50_000);
+/// What a statement costs before its operands are counted, so that a simple one takes 0.4 ms (assumed).
+pub const STATEMENT_COST: u16 = 6;
+
+/// Firmware time that a sample holds at the most, in ns: 10,000 of the cheapest statements, however fast the interpreter
+/// is made to be.
+pub const CREDIT_A_SAMPLE: Nanos = Nanos(10_000 * (STATEMENT_COST as u64) * (COST_UNIT as u64));
 
 /// Longest line that the console takes (Basic programming rules).
 pub const LINE_LENGTH: usize = 80;
@@ -101,7 +137,7 @@ pub const DISK_B: usize = 768 << 10;
 pub const LARGEST: f64 = 1.701_411_834_604_692_3e38;
 
 /// Smallest magnitude above zero: 2.93873588E-39 is 2^-128; less is zero without an error.
-pub const SMALLEST: f64 = 2.938_735_877_055_718_8e-39;
+pub const SMALLEST: f64 = 2.938_735_877_055_719e-39;
 
 /// Print zones: eight of ten columns on the 80-column line (PRINT).
 pub const ZONE: usize = 10;

@@ -24,9 +24,13 @@ pub fn jumps(text: &[u8]) -> Vec<Jump> {
         text,
         found: Vec::new(),
     };
+    let mut in_mask = false;
     for (index, token) in tokens.iter().enumerate() {
-        if let TokenKind::Keyword(keyword) = token.kind {
-            finder.behind(keyword, token, tokens.get(index + 1..).unwrap_or_default());
+        // A file mask without quotes may look like anything.
+        in_mask = !ends_statement(token) && (in_mask || is_mask(token));
+        if let (TokenKind::Keyword(keyword), false) = (token.kind, in_mask) {
+            let rest = tokens.get(index + 1..).unwrap_or_default();
+            finder.behind(keyword, token, rest);
         }
     }
     finder.found
@@ -102,6 +106,13 @@ impl Finder<'_> {
     }
 }
 
+fn is_mask(token: &Token) -> bool {
+    matches!(
+        token.kind,
+        TokenKind::Keyword(Keyword::Files | Keyword::Erase)
+    )
+}
+
 fn is_integer(token: &Token) -> bool {
     matches!(token.kind, TokenKind::Integer(_))
 }
@@ -138,6 +149,7 @@ mod tests {
             ("RUN \"A.BAS\",500: STOP", &[500]),
             ("IF A THEN RUN 500 ELSE RUN", &[500]),
             ("RUN X+5", &[]),
+            ("FILES GOTO10.BAS: GOTO 10", &[10]),
             ("INTSETUP(1000,3,1)", &[1000]),
             ("INTSETUP(L%,3,1)", &[]),
             ("REM GOTO 10", &[]),

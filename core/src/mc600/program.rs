@@ -276,3 +276,163 @@ fn with_new_jumps(text: &[u8], new: &BTreeMap<u16, u16>) -> Vec<u8> {
     changed.extend_from_slice(text.get(copied..).unwrap_or_default());
     changed
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn program(text: &str) -> Program {
+        Program::from_typed(text).unwrap()
+    }
+
+    fn text(program: &Program) -> String {
+        latin1::text(&program.to_text()).replace("\r\n", "\n")
+    }
+
+    /// The memory that a program takes, counted anew.
+    fn counted(program: &Program) -> usize {
+        program.lines().map(|(_, text)| text.len() + 5).sum()
+    }
+
+    #[test]
+    fn lists_keywords_in_upper_case_and_all_else_as_typed() {
+        for (typed, listed) in [
+            ("10 print \"print\"; x", "10 PRINT \"print\"; x"),
+            ("20   for i=1to10: rem to do", "20   FOR i=1TO10: REM to do"),
+            ("  030data to, \"go\":goto10", "30 DATA to, \"go\":GOTO10"),
+            ("40\tx=sl_posdemand%+{pi}", "40\tx=SL_POSDEMAND%+{PI}"),
+            ("50?a$", "50 ?a$"),
+            ("60 go  to 10", "60 GO  TO 10"),
+            ("70 scoring=1", "70 scoring=1"),
+            ("80 5 print", "80 5 PRINT"),
+        ] {
+            assert_eq!(text(&program(typed)), format!("{listed}\n"));
+        }
+    }
+
+    #[test]
+    fn keeps_lines_in_order_replaces_and_deletes() {
+        let mut program = program("20 STOP\r10 PRINT\n\n20 END\r\n30 NEW\n40 RUN\n50 CONT");
+        assert_eq!(
+            text(&program),
+            "10 PRINT\n20 END\n30 NEW\n40 RUN\n50 CONT\n"
+        );
+        assert_eq!(program.bytes(), counted(&program));
+        let revision = program.revision();
+        program.delete(LineRange {
+            first: 35,
+            last: 38,
+        });
+        program.delete(LineRange {
+            first: 50,
+            last: 30,
+        });
+        assert_eq!(program.revision(), revision, "nothing was there");
+        program.delete(LineRange {
+            first: 30,
+            last: 45,
+        });
+        program.enter(10, b"  ");
+        assert_eq!(text(&program), "20 END\n50 CONT\n");
+        assert_eq!(program.bytes(), counted(&program));
+        assert!(program.revision() > revision);
+        assert_eq!(program.list_line(30), None);
+        program.clear();
+        assert!(program.is_empty() && program.bytes() == 0);
+    }
+
+    #[test]
+    fn a_clone_keeps_what_it_had() {
+        let mut program = program("10 END");
+        let before = program.clone();
+        program.enter(20, b" STOP");
+        assert_eq!(text(&before), "10 END\n");
+        assert_eq!(text(&program), "10 END\n20 STOP\n");
+    }
+
+    #[test]
+    fn renumbering_takes_every_jump_along() {
+        let mut program = program(
+            "1 GOTO 5: GO TO7: GOSUB 9\n\
+             5 IF A THEN 7 ELSE 9\n\
+             7 ON X GOTO 1,5 , 8,9: RUN 7: RUN \"A\",7\n\
+             8 PRINT 7: X=7: REM GOTO 7\n\
+             9 INTSETUP(7,9,1): DATA 7: IF A GOTO 7 ELSE PRINT 7\n\
+             11 GOTO 6: X = = 1: GOTO 11",
+        );
+        assert_eq!(program.renumber(100, 10), Ok(()));
+        assert_eq!(
+            text(&program),
+            "100 GOTO 110: GO TO120: GOSUB 140\n\
+             110 IF A THEN 120 ELSE 140\n\
+             120 ON X GOTO 100,110 , 130,140: RUN 120: RUN \"A\",120\n\
+             130 PRINT 7: X=7: REM GOTO 7\n\
+             140 INTSETUP(120,9,1): DATA 7: IF A GOTO 120 ELSE PRINT 7\n\
+             150 GOTO 6: X = = 1: GOTO 150\n"
+        );
+        assert_eq!(program.bytes(), counted(&program));
+    }
+
+    #[test]
+    fn a_jump_to_line_0_that_is_left_out_is_written_when_line_0_moves() {
+        let mut program = program("0 GOTO: PRINT\n5 ON X GOTO ,5\n6 IF A GOTO ELSE STOP");
+        assert_eq!(program.renumber(10, 10), Ok(()));
+        let expected = "10 GOTO10: PRINT\n20 ON X GOTO10 ,20\n30 IF A GOTO10 ELSE STOP\n";
+        assert_eq!(text(&program), expected);
+    }
+
+    #[test]
+    fn renumbering_beyond_the_last_line_changes_nothing() {
+        let mut program = program("10 GOTO 20\n20 END");
+        for (start, increment) in [(63_999, 1), (10, 63_999), (10, 0), (0, 65_535)] {
+            let before = text(&program);
+            let result = program.renumber(start, increment);
+            assert_eq!(
+                result,
+                Err(ErrorCode::IllegalQuantity),
+                "{start},{increment}"
+            );
+            assert_eq!(text(&program), before);
+        }
+        assert_eq!(program.renumber(63_989, 10), Ok(()));
+        assert_eq!(text(&program), "63989 GOTO 63999\n63999 END\n");
+    }
+
+    #[test]
+    fn the_longest_typed_line_survives_renumbering_saving_and_loading() {
+        let jumps = ",1".repeat(33);
+        let mut program = program(&format!("1 ON X GOTO 1{jumps}"));
+        assert_eq!(program.renumber(60_000, 1), Ok(()));
+        let saved = program.to_text();
+        assert!(saved.len() > 200);
+        let loaded = Program::from_text(&saved, STORED_LENGTH).unwrap();
+        assert_eq!(loaded.to_text(), saved);
+    }
+
+    #[test]
+    fn text_that_is_no_program_is_refused_with_its_line() {
+        let long = format!("10 END\n20 {}", "X".repeat(78));
+        let huge = format!("10 REM {}\n", "X".repeat(70)).repeat(3);
+        for (text, line, error) in [
+            ("10 END\nPRINT", 1, ErrorCode::Syntax),
+            ("10 END\r\n\r\n64000 END", 2, ErrorCode::Syntax),
+            (&long, 1, ErrorCode::StringTooLong),
+            ("10 PRINT \u{201c}A\u{201d}", 0, ErrorCode::Syntax),
+        ] {
+            let fault = Program::from_typed(text).unwrap_err();
+            assert_eq!((fault.line, fault.error), (line, error), "{text}");
+        }
+        assert!(Program::from_typed(&huge).is_ok());
+        let lines = (0..15_000).map(|line| format!("{line} REM {}\n", "X".repeat(70)));
+        let fault = Program::from_typed(&lines.collect::<String>()).unwrap_err();
+        assert_eq!(fault.error, ErrorCode::OutOfMemory);
+    }
+
+    #[test]
+    fn every_byte_survives_a_file() {
+        let bytes: Vec<u8> = (0x20..=0xff).filter(|&byte| byte != 0x7f).collect();
+        let line = [b"10 REM ".as_slice(), &bytes].concat();
+        let program = Program::from_text(&line, STORED_LENGTH).unwrap();
+        assert_eq!(program.list_line(10), Some(line));
+    }
+}

@@ -261,6 +261,17 @@ mod tests {
     }
 
     #[test]
+    fn flow_control_characters_pass_a_held_transmitter() {
+        let mut transmitter = Transmitter::new(LineSettings::new(9600));
+        transmitter.push(b'A');
+        transmitter.hold(true);
+        transmitter.push_urgent(XOFF);
+        let frame = transmitter.next_frame(Nanos::ZERO, Nanos::MAX).unwrap();
+        assert_eq!(frame.symbol, Symbol::Byte(XOFF));
+        assert_eq!(transmitter.next_frame(Nanos::ZERO, Nanos::MAX), None);
+    }
+
+    #[test]
     fn a_held_transmitter_finishes_its_character_and_waits() {
         let mut transmitter = Transmitter::new(LineSettings::new(9600));
         transmitter.push(b'A');

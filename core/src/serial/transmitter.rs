@@ -10,6 +10,8 @@ use crate::time::Nanos;
 pub struct Transmitter {
     settings: LineSettings,
     queue: VecDeque<Symbol>,
+    /// XON and XOFF for the other side: they go first, held or not.
+    urgent: VecDeque<Symbol>,
     /// When the character now on the wire ends.
     free_at: Nanos,
     /// The other side sent XOFF.
@@ -22,6 +24,7 @@ impl Transmitter {
         Transmitter {
             settings,
             queue: VecDeque::new(),
+            urgent: VecDeque::new(),
             free_at: Nanos::ZERO,
             held: false,
         }
@@ -39,7 +42,7 @@ impl Transmitter {
 
     /// Sends a byte before everything that is queued, held or not (XON and XOFF themselves).
     pub fn push_urgent(&mut self, byte: u8) {
-        self.queue.push_front(Symbol::Byte(byte));
+        self.urgent.push_back(Symbol::Byte(byte));
     }
 
     /// Bytes not yet begun.
@@ -49,7 +52,7 @@ impl Transmitter {
 
     /// Whether a character is on the wire at `now`, or waits.
     pub fn is_busy(&self, now: Nanos) -> bool {
-        !self.queue.is_empty() || self.free_at > now
+        !self.queue.is_empty() || !self.urgent.is_empty() || self.free_at > now
     }
 
     /// Forgets what has not begun.
@@ -79,13 +82,14 @@ impl Transmitter {
 
     /// When the next character would begin if asked for at `now`; `None` if there is none or XOFF holds it.
     pub fn next_start(&self, now: Nanos) -> Option<Nanos> {
-        (!self.held && !self.queue.is_empty()).then(|| self.free_at.max(now))
+        let ready = !self.urgent.is_empty() || (!self.held && !self.queue.is_empty());
+        ready.then(|| self.free_at.max(now))
     }
 
     /// Begins the next character if it can start before `until`; call until it returns `None`.
     pub fn next_frame(&mut self, now: Nanos, until: Nanos) -> Option<Frame> {
         let start = self.next_start(now).filter(|&start| start < until)?;
-        let symbol = self.queue.pop_front()?;
+        let symbol = self.urgent.pop_front().or_else(|| self.queue.pop_front())?;
         let frame = Frame {
             start,
             symbol,

@@ -466,7 +466,8 @@ impl Parser<'_> {
         while self.next < self.tokens.len() && self.here().start < span.end {
             self.next += 1;
         }
-        let kind = ExprKind::Text(span.of(self.line).to_vec());
+        // LIST shows keywords in it in upper case, and files have no case.
+        let kind = ExprKind::Text(span.of(self.line).to_ascii_uppercase());
         Ok(Some(Expr { span, kind }))
     }
 }

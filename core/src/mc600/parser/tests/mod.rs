@@ -3,6 +3,7 @@
 mod examples;
 mod faults;
 mod forms;
+mod properties;
 
 use super::parse_line;
 use crate::language::latin1;

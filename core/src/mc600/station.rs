@@ -1,0 +1,407 @@
+//! The MC-600 as a station on the bench.
+
+use super::ast::{Name, VariableKind};
+use super::commands::device_line;
+use super::disks::FileName;
+use super::firmware::SAMPLE;
+use super::machine::Machine;
+use super::program::Program;
+use super::sysvars::SysVar;
+use super::value::Text;
+use super::{FACTORY_PASSWORD, Mc600, Mode};
+use crate::controller::{
+    Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
+    Refused, Revision, RunState, Signal, Slot, Status, Value,
+};
+use crate::language::latin1;
+use crate::serial::LineSettings;
+use crate::time::Nanos;
+
+/// The version of the items below.
+const MEMORY_VERSION: u32 = 1;
+const PASSWORD_ITEM: &str = "PASSWORD";
+
+/// What an MC-600 is and what it has.
+pub(super) fn info() -> ControllerInfo {
+    let signal = |(name, unit): (&str, &str)| Signal {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+    };
+    ControllerInfo {
+        id: "mc600",
+        name: "Danaher MC-600",
+        axes: vec!["x"],
+        line: LineSettings::new(9600),
+        prompt: ">",
+        attention: 0x03,
+        start: "RUN",
+        program_slot: Slot::Program,
+        signals: [
+            ("x.command", "counts"),
+            ("x.position", "counts"),
+            ("x.velocity", "counts*256/sample"),
+            ("x.speed", "counts*256/sample"),
+            ("x.acceleration", "counts*256/sample^2"),
+            ("x.error", "counts"),
+            ("x.output", "of peak torque"),
+            ("inputs", "bits"),
+            ("outputs", "bits"),
+        ]
+        .map(signal)
+        .to_vec(),
+        wires: Machine::wires(),
+        faults: vec!["drive", "limit+", "limit-", "stall", "encoder", "estop"],
+        keys: Vec::new(),
+        sample: SAMPLE,
+    }
+}
+
+impl Controller for Mc600 {
+    fn info(&self) -> &ControllerInfo {
+        &self.info
+    }
+
+    fn power(&mut self, at: Nanos, on: bool) {
+        let is_on = self.mode != Mode::Off;
+        if on && !is_on {
+            self.next = self.next.max(at);
+            self.power_up();
+        } else if !on && is_on {
+            self.mode = Mode::Off;
+            self.machine.power_off();
+        }
+    }
+
+    fn next(&self) -> Nanos {
+        self.next
+    }
+
+    fn input(&mut self, _at: Nanos, input: Input) -> Result<(), Refused> {
+        match input {
+            Input::Frame { frame, .. } => {
+                if self.mode != Mode::Off {
+                    self.console.accept(frame);
+                }
+                Ok(())
+            }
+            Input::Wire { name, value } => self.machine.wire(&name, value).map_err(Refused),
+            Input::Fault { kind, axis, active } => self
+                .machine
+                .fault(&kind, axis.as_deref(), active)
+                .map_err(Refused),
+            Input::Plant { axis, key, value } => {
+                self.machine.configure(&axis, &key, &value).map_err(Refused)
+            }
+            Input::Key { .. } => Err(Refused("mc600 has no panel".to_owned())),
+            // ServoBus telegrams come with the functions that read them.
+            Input::Telegram(_) => Ok(()),
+        }
+    }
+
+    fn sample(&mut self, now: Nanos, ports: &mut Ports) {
+        self.samples += 1;
+        self.next = now + SAMPLE;
+        if self.mode != Mode::Off {
+            self.firmware(now, ports);
+        }
+        self.machine.sample();
+        if self.mode != Mode::Off {
+            self.console.transmit(now, self.next, ports);
+        }
+        if ports.log_motion {
+            ports
+                .motion
+                .extend(self.log.drain(..).map(|command| (now, command.to_string())));
+        }
+    }
+
+    fn record(&self, row: &mut Vec<f64>) {
+        let signals = self.machine.signals();
+        row.extend([
+            signals.demand_position,
+            signals.position,
+            signals.demand_velocity,
+            signals.velocity,
+            signals.demand_acceleration,
+            signals.following_error,
+            signals.output,
+            f64::from(signals.inputs),
+            f64::from(signals.outputs),
+        ]);
+    }
+
+    fn status(&self) -> Status {
+        let running = self.mode == Mode::Running;
+        let line = running.then(|| self.vm.image.line_at(self.vm.pc)).flatten();
+        let run = match (running, self.waiting, line) {
+            (false, ..) => RunState::Idle,
+            _ if self.debugger.holds() => RunState::Paused,
+            (true, Some(wait), _) => RunState::Waiting(wait),
+            (true, None, Some(_)) => RunState::Running,
+            (true, None, None) => RunState::Command,
+        };
+        Status {
+            power: self.mode != Mode::Off,
+            run,
+            line: line.map(u32::from),
+            spent: self.credit.spent,
+            unread: self.console.unread(),
+            unsent: self.console.unsent() + usize::from(self.vm.is_printing()),
+            moving: self.machine.is_moving(),
+            enabled: self.machine.is_enabled(),
+            at_prompt: self.mode == Mode::Ready { prompted: true } && !self.console.is_typing(),
+            error: self.error.clone(),
+            revision: self.program.revision(),
+        }
+    }
+
+    fn debug(&mut self, command: Debug) -> DebugReply {
+        match command {
+            Debug::Breakpoints(lines) => {
+                self.debugger.set_breakpoints(lines, &self.vm.image);
+                DebugReply::Done
+            }
+            Debug::Pause | Debug::Step | Debug::RunTo(_) if self.mode != Mode::Running => {
+                DebugReply::Refused("no program runs".to_owned())
+            }
+            Debug::Pause => {
+                self.debugger.hold();
+                DebugReply::Done
+            }
+            Debug::Continue => {
+                self.debugger.release();
+                DebugReply::Done
+            }
+            Debug::Step => {
+                self.debugger.run_to(self.credit.spent + 1);
+                DebugReply::Done
+            }
+            Debug::RunTo(spent) => {
+                self.debugger.run_to(spent);
+                DebugReply::Done
+            }
+            Debug::Read(name) => match self.read(&name) {
+                Some(value) => DebugReply::Value(value),
+                None => DebugReply::Refused(format!("mc600 has no variable or signal '{name}'")),
+            },
+            Debug::Write(name, value) => match self.write(&name, &value) {
+                true => DebugReply::Done,
+                false => DebugReply::Refused(format!("mc600 cannot set '{name}' to that")),
+            },
+        }
+    }
+
+    fn load(&mut self, slot: &Slot, text: &str) -> Result<Revision, LoadError> {
+        match slot {
+            Slot::Program => {
+                let program = Program::from_typed(text).map_err(|fault| LoadError {
+                    line: fault.line,
+                    message: format!("?{} ERROR: {}", fault.error.text(), fault.cause),
+                })?;
+                self.replace_program(program);
+                if self.mode == Mode::Running {
+                    self.vm.stop();
+                    self.finish();
+                }
+                let lines = text
+                    .lines()
+                    .map(|line| device_line(&latin1::bytes(line)).map(u32::from))
+                    .collect();
+                Ok(Revision {
+                    number: self.program.revision(),
+                    lines,
+                })
+            }
+            Slot::File(name) => {
+                let refuse = |message: String| LoadError { line: 0, message };
+                let file = FileName::parse(name.as_bytes())
+                    .map_err(|_| refuse(format!("'{name}' is no file name of this device")))?;
+                let full = refuse(format!("there is no room for '{name}'"));
+                self.disks
+                    .write(&file, &latin1::bytes(text))
+                    .map_err(|_| full)?;
+                Ok(Revision {
+                    number: self.program.revision(),
+                    lines: Vec::new(),
+                })
+            }
+            Slot::Number(number) => Err(LoadError {
+                line: 0,
+                message: format!("mc600 has no program number {number}"),
+            }),
+        }
+    }
+
+    fn listing(&self, slot: &Slot) -> Option<String> {
+        match slot {
+            Slot::Program => Some(latin1::text(&self.program.to_text())),
+            Slot::File(name) => {
+                let bytes = self.disks.read(&FileName::parse(name.as_bytes()).ok()?)?;
+                Some(latin1::text(&bytes))
+            }
+            Slot::Number(_) => None,
+        }
+    }
+
+    fn memory(&self) -> Memory {
+        let mut items: Vec<MemoryItem> = self
+            .disks
+            .kept()
+            .map(|(name, bytes)| MemoryItem {
+                name: format!("B:{name}"),
+                bytes: bytes.to_vec(),
+            })
+            .collect();
+        if self.password != FACTORY_PASSWORD {
+            items.push(MemoryItem {
+                name: PASSWORD_ITEM.to_owned(),
+                bytes: latin1::bytes(&self.password),
+            });
+        }
+        items.extend(self.unknown.iter().cloned());
+        Memory {
+            version: MEMORY_VERSION,
+            items,
+        }
+    }
+
+    fn restore(&mut self, memory: &Memory) {
+        self.unknown.clear();
+        for item in &memory.items {
+            let file = FileName::parse(item.name.as_bytes());
+            let taken = match (memory.version, item.name.as_str(), file) {
+                (MEMORY_VERSION, PASSWORD_ITEM, _) => {
+                    self.password = latin1::text(&item.bytes);
+                    true
+                }
+                (MEMORY_VERSION, name, Ok(file)) if name.starts_with("B:") => {
+                    self.disks.write(&file, &item.bytes).is_ok()
+                }
+                _ => false,
+            };
+            if !taken {
+                self.unknown.push(item.clone());
+            }
+        }
+    }
+}
+
+/// A variable as a person names it: `A`, `CNT%`, `A$`, `A(3)`, `B%(1,2)`.
+struct Named {
+    name: Name,
+    subscripts: Vec<f64>,
+}
+
+fn named(text: &str) -> Option<Named> {
+    let upper = text.trim().to_ascii_uppercase();
+    let (name, subscripts) = match upper.split_once('(') {
+        Some((name, rest)) => {
+            let inner = rest.strip_suffix(')')?;
+            let parsed: Result<Vec<f64>, _> =
+                inner.split(',').map(|part| part.trim().parse()).collect();
+            (name.trim(), parsed.ok()?)
+        }
+        None => (upper.as_str(), Vec::new()),
+    };
+    let kind = match name.chars().last()? {
+        '%' => VariableKind::Integer,
+        '$' => VariableKind::String,
+        _ => VariableKind::Real,
+    };
+    Some(Named {
+        name: Name {
+            text: name.into(),
+            kind,
+        },
+        subscripts,
+    })
+}
+
+impl Mc600 {
+    fn read(&self, text: &str) -> Option<Value> {
+        if let Some(value) = self.read_machine(text) {
+            return Some(Value::Number(value));
+        }
+        let Named { name, subscripts } = named(text)?;
+        if subscripts.is_empty() {
+            let place = self.vm.symbols.find(&name)?;
+            return Some(match name.kind {
+                VariableKind::String => Value::Text(latin1::text(self.vm.string(place))),
+                _ => Value::Number(self.vm.register(place)),
+            });
+        }
+        let mut array = self.vm.array(self.vm.symbols.find_array(&name)?)?.clone();
+        let index = array.index(&subscripts, usize::MAX).ok()?;
+        match name.kind {
+            VariableKind::String => array
+                .text(index)
+                .map(|text| Value::Text(latin1::text(text))),
+            _ => array.number(index).map(Value::Number),
+        }
+    }
+
+    /// System variables, and inputs and outputs by their short names.
+    fn read_machine(&self, text: &str) -> Option<f64> {
+        let lower = text.trim().to_ascii_lowercase();
+        let short = lower
+            .strip_prefix("in")
+            .or_else(|| lower.strip_prefix("out"));
+        let word = match short
+            .filter(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
+        {
+            Some(_) => format!("gv_{lower}%"),
+            None => lower,
+        };
+        SysVar::from_word(&word).map(|var| f64::from(self.machine.get(var)))
+    }
+
+    fn write(&mut self, text: &str, value: &Value) -> bool {
+        if let (Some(var), Value::Number(number)) = (SysVar::from_word(text.trim()), value) {
+            return match super::value::to_integer(*number) {
+                Ok(number) if !var.is_read_only() => {
+                    self.machine.set(var, number);
+                    true
+                }
+                _ => false,
+            };
+        }
+        let Some(Named { name, subscripts }) = named(text) else {
+            return false;
+        };
+        let Some(place) = self
+            .vm
+            .symbols
+            .find(&name)
+            .filter(|_| subscripts.is_empty())
+        else {
+            return false;
+        };
+        match (name.kind, value) {
+            (VariableKind::String, Value::Text(text)) => {
+                let bytes = latin1::bytes(text);
+                let fits = bytes.len() <= super::firmware::STRING_LENGTH;
+                if fits {
+                    self.vm.set_string(place, Text::from_slice(&bytes));
+                }
+                fits
+            }
+            (VariableKind::Integer, Value::Number(number)) => {
+                match super::value::to_integer(*number) {
+                    Ok(number) => {
+                        self.vm.set_register(place, f64::from(number));
+                        true
+                    }
+                    Err(_) => false,
+                }
+            }
+            (VariableKind::Real, Value::Number(number)) => match super::value::in_range(*number) {
+                Ok(number) => {
+                    self.vm.set_register(place, number);
+                    true
+                }
+                Err(_) => false,
+            },
+            _ => false,
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The scenario language: puts controllers on the bench, does to them what a person would, and says what must follow.
+//!
+//! `text` takes a line apart, `parse` and `words` make statements of it, `run` and `station` perform them, `advance` lets time pass
+//! meanwhile, `watch` folds what is seen, `report` tells how it went. `docs/scenario.md` describes the language.
+//!
+//! A scenario is parsed whole before it runs, so that what is folded while running (`check always`, `check ever`) is
+//! known from the start. Parsing is bounded and never panics; files that a scenario mentions are handed in.
+
+mod advance;
+mod condition;
+mod console;
+mod parse;
+mod report;
+mod run;
+mod statement;
+mod station;
+mod text;
+mod watch;
+mod words;
+
+pub use advance::busy;
+pub use report::{Outcome, Report};
+pub use text::duration;
+
+use crate::catalog::Station;
+use crate::language::latin1;
+use crate::time::Nanos;
+
+use condition::Condition;
+use statement::Statement;
+
+/// Time that a statement that waits has without `within`.
+const WITHIN: Nanos = Nanos::from_millis(10_000);
+/// The longest time that a statement may name and a scenario may simulate: a day.
+const LONGEST: Nanos = Nanos::from_millis(86_400_000);
+/// Bytes of a scenario.
+const MOST_TEXT: usize = 4 << 20;
+/// Times that a block may be repeated.
+const MOST_REPEATS: u32 = 1_000_000;
+/// Statements that a run may execute.
+const MOST_EXECUTED: u64 = 10_000_000;
+/// Controllers on the bench.
+const MOST_STATIONS: usize = 64;
+/// Bytes that one console may have sent.
+const MOST_OUTPUT: usize = 16 << 20;
+
+/// A scenario, ready to run any number of times.
+#[derive(Debug, Clone, Default)]
+pub struct Scenario {
+    statements: Vec<Statement>,
+    stations: Vec<Planned>,
+    watches: Vec<Watch>,
+    /// Its line and the reason.
+    known_failure: Option<(u32, String)>,
+    /// Zero if it never rewinds.
+    longest_rewind: Nanos,
+    last_line: u32,
+}
+
+/// A station that a `bench` line puts on the bench.
+#[derive(Debug, Clone)]
+struct Planned {
+    name: String,
+    /// The kind of controller.
+    id: &'static str,
+    station: Station,
+}
+
+/// A condition that is folded at every sample.
+#[derive(Debug, Clone)]
+struct Watch {
+    line: u32,
+    station: usize,
+    /// `check ever`, not `check always`.
+    ever: bool,
+    condition: Condition,
+}
+
+/// Why a text is no scenario.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// Line of the text, from 1.
+    pub line: u32,
+    /// One clear sentence.
+    pub message: String,
+}
+
+/// Reads a file that a scenario mentions, by the name that it gives, relative to the scenario.
+///
+/// # Errors
+/// One clear line that says why not.
+pub type ReadFile<'a> = dyn FnMut(&str) -> Result<Vec<u8>, String> + 'a;
+
+impl Scenario {
+    /// Reads a scenario.
+    ///
+    /// # Errors
+    /// The first [`Problem`]; nothing has run then.
+    pub fn parse(text: &str) -> Result<Scenario, Problem> {
+        parse::parse(text)
+    }
+
+    /// Runs it on a bench of its own.
+    pub fn run(&self, read: &mut ReadFile<'_>) -> Report {
+        run::run(self, read)
+    }
+}
+
+/// A program file as text: UTF-8 where it is that, otherwise a character for a byte.
+pub fn program_text(bytes: &[u8]) -> String {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => latin1::text(bytes),
+    }
+}

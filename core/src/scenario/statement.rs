@@ -1,0 +1,136 @@
+//! What a scenario says: the parser's result.
+
+use crate::controller::Slot;
+use crate::serial::{Flow, Parity};
+use crate::time::Nanos;
+
+use super::condition::Condition;
+
+/// One statement, where it stands and which station it is about.
+#[derive(Debug, Clone)]
+pub(super) struct Statement {
+    /// Line of the scenario, from 1.
+    pub(super) line: u32,
+    /// Index of the station; 0 for what concerns none.
+    pub(super) station: usize,
+    pub(super) action: Action,
+}
+
+/// Every statement of the language.
+#[derive(Debug, Clone)]
+pub(super) enum Action {
+    /// Puts the statement's station on the bench.
+    Bench,
+    /// Sets the host's side of the line.
+    Line(Vec<LineSetting>),
+    Break,
+    /// Changes the mechanics behind an axis.
+    Axis {
+        axis: String,
+        settings: Vec<(String, String)>,
+    },
+    FilePut {
+        name: String,
+        file: String,
+    },
+    FileGet {
+        name: String,
+        file: String,
+    },
+    /// `None`: there is no such file.
+    FileExpect {
+        name: String,
+        text: Option<Vec<u8>>,
+    },
+    Load {
+        slot: Option<Slot>,
+        file: String,
+    },
+    /// The text between `program` and `end`; its first line is the one after the statement's.
+    Program {
+        slot: Option<Slot>,
+        text: String,
+    },
+    Power(bool),
+    /// The line as typed, without its CR.
+    Type(Vec<u8>),
+    Send(Vec<u8>),
+    Press(Vec<String>),
+    Hold {
+        key: String,
+        time: Nanos,
+    },
+    Wire {
+        name: String,
+        value: f64,
+    },
+    Fault {
+        kind: String,
+        axis: Option<String>,
+        active: bool,
+    },
+    Run(Nanos),
+    RunUntilIdle {
+        within: Nanos,
+    },
+    RunUntil {
+        text: Vec<u8>,
+        within: Nanos,
+    },
+    Expect(Vec<u8>),
+    ExpectExactly(Vec<u8>),
+    ExpectNothing,
+    Reply {
+        text: Vec<u8>,
+        within: Nanos,
+    },
+    /// Needs a part that no present controller has: `panel`, `printer`, `ieee488 bus`.
+    Needs(String),
+    Repeat {
+        count: u32,
+        body: Vec<Statement>,
+    },
+    /// Time since the station's last `power on`.
+    At {
+        time: Nanos,
+        statement: Box<Statement>,
+    },
+    Rewind(Nanos),
+    Check(Condition),
+    /// Index of its watch.
+    CheckAlways(usize),
+    /// Index of its watch.
+    CheckEver(usize),
+    CheckSettled {
+        condition: Condition,
+        within: Nanos,
+    },
+}
+
+/// One setting of the host's side of a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum LineSetting {
+    Baud(u32),
+    Parity(Parity),
+    DataBits(u8),
+    StopBits(u8),
+    Flow(Flow),
+}
+
+impl Action {
+    /// Whether it is done at one moment, so that `at` can schedule it.
+    pub(super) fn is_momentary(&self) -> bool {
+        !matches!(
+            self,
+            Action::Bench
+                | Action::Run(_)
+                | Action::RunUntilIdle { .. }
+                | Action::RunUntil { .. }
+                | Action::Reply { .. }
+                | Action::Repeat { .. }
+                | Action::At { .. }
+                | Action::Rewind(_)
+                | Action::CheckSettled { .. }
+        )
+    }
+}
