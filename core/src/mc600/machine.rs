@@ -352,9 +352,9 @@ impl Machine {
         self.plant.configure(key, value)
     }
 
-    /// Whether a trajectory generator is active, the motor turns or it is not yet where it should be.
+    /// Whether the reference moves or is going to, the motor turns or it is not yet where it should be.
     pub fn is_moving(&self) -> bool {
-        self.planner.is_active()
+        self.planner.is_moving()
             || self.drive.is_settling()
             || (self.plant.velocity() * 60.0).abs() > STANDSTILL
     }

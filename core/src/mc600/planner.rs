@@ -273,9 +273,13 @@ impl Planner {
         &self.reference
     }
 
-    /// Whether a generator is active.
-    pub fn is_active(&self) -> bool {
-        self.generator != Generator::Idle
+    /// Whether the reference moves or is going to. The speed generator may stay active at speed 0, which is rest.
+    pub fn is_moving(&self) -> bool {
+        match self.generator {
+            Generator::Idle => false,
+            Generator::Speed { demand } => demand != 0 || self.reference.velocity != 0,
+            Generator::Stop { .. } | Generator::Move { .. } => true,
+        }
     }
 
     /// Positions per motor revolution, in 1/256 count.
@@ -440,7 +444,7 @@ mod tests {
     /// Where the axis went, in counts.
     fn finish(planner: &mut Planner) -> i64 {
         let start = planner.reference.position;
-        while planner.is_active() {
+        while planner.is_moving() {
             planner.sample(Blocked::default());
         }
         (planner.reference.position - start) >> FRACTION

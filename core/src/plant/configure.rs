@@ -32,7 +32,10 @@ pub const KEYS: [(&str, &str); 9] = [
         "maxspeed",
         "that the drive's voltage allows, in rpm; 1 to 1000000",
     ),
-    ("travel", "range between the hard stops"),
+    (
+        "travel",
+        "range between the hard stops; an axis outside is put to the nearer one",
+    ),
     ("limits", "range outside which a limit switch is pressed"),
     (
         "home",

@@ -7,5 +7,6 @@
 mod bench;
 mod mc600_drive;
 mod mc600_planner;
+mod profile;
 mod ramp;
 mod random;

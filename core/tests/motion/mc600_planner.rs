@@ -238,6 +238,20 @@ fn midle_decelerates_by_sm_acc_and_holds() {
 }
 
 #[test]
+fn speed_0_stays_active_at_rest() {
+    let mut machine = enabled();
+    machine.command(MotionCommand::Speed(7000));
+    run(&mut machine, 200);
+    machine.command(MotionCommand::Speed(0));
+    until(&mut machine, |m| !m.is_moving());
+    assert_eq!(machine.get(SysVar::GvStatus) & PLANNER_BITS, SPEED);
+    assert_eq!(
+        (machine.get(SysVar::SmFlag), machine.get(SysVar::SmSpeed)),
+        (4, 0)
+    );
+}
+
+#[test]
 fn mimove_adds_to_the_target() {
     let mut machine = enabled();
     machine.command(MotionCommand::MoveBy(10_000));
