@@ -1,9 +1,7 @@
 //! `motionbench`: the simulator without a browser.
 
-use std::time::Instant;
+use std::process::ExitCode;
 
-fn main() {
-    let start = Instant::now();
-    let now = || start.elapsed().as_nanos() as f64;
-    println!("{}", motionbench::speed::report(None, &now));
+fn main() -> ExitCode {
+    motionbench::main()
 }

@@ -99,6 +99,10 @@ impl<'a> State<'a> {
 
 /// Why a station is not idle, in words; `None` if it is.
 pub fn busy(status: &Status) -> Option<String> {
+    if !status.power {
+        // A motor that coasts is all that a controller does while it is off.
+        return status.moving.then(|| "an axis moves".to_owned());
+    }
     let line = status
         .line
         .map_or(String::new(), |line| format!(" in line {line}"));
@@ -170,7 +174,7 @@ impl<'a> Runner<'a> {
     fn leg(&mut self, leg: Nanos, goal: &mut Goal<'_>) -> Result<bool, Failure> {
         loop {
             self.checkpoint();
-            let stop = match self.scenario.longest_rewind {
+            let stop = match self.scenario.rewinds {
                 Nanos::ZERO => leg,
                 _ => leg.min(self.state.bench.now() + self.checkpoint_interval()),
             };
@@ -312,12 +316,12 @@ impl<'a> Runner<'a> {
     }
 
     fn checkpoint_interval(&self) -> Nanos {
-        Nanos((self.scenario.longest_rewind.0 / 64).max(10_000_000))
+        Nanos((self.scenario.rewinds.0 / 64).max(10_000_000))
     }
 
     /// Takes a checkpoint if the scenario rewinds, and forgets those that it cannot reach any more.
     fn checkpoint(&mut self) {
-        let reach = self.scenario.longest_rewind;
+        let reach = self.scenario.rewinds;
         if reach == Nanos::ZERO {
             return;
         }

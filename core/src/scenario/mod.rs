@@ -52,8 +52,8 @@ pub struct Scenario {
     watches: Vec<Watch>,
     /// Its line and the reason.
     known_failure: Option<(u32, String)>,
-    /// Zero if it never rewinds.
-    longest_rewind: Nanos,
+    /// All that its rewinds take back, one after the other; zero if it never does.
+    rewinds: Nanos,
     last_line: u32,
 }
 

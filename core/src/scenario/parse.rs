@@ -126,7 +126,7 @@ impl<'a> Parser<'a> {
             _ => words::action(word, line)?,
         };
         if let Action::Rewind(time) = action {
-            self.scenario.longest_rewind = self.scenario.longest_rewind.max(time);
+            self.scenario.rewinds += time;
         }
         Ok(Some(Statement {
             line: number,
