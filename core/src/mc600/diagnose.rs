@@ -1,9 +1,12 @@
 //! What is wrong with a program, told from its text alone, and the colours of its lines.
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::BTreeMap;
 
 use super::ast::{Statement, StatementKind};
-use super::compile::check;
+use super::compile::{Problem, check};
 use super::firmware::{ErrorCode, LAST_LINE, LINE_LENGTH};
 use super::jumps::{Jump, jumps};
 use super::keywords::Keyword;
@@ -208,27 +211,34 @@ impl Findings {
 
     /// What only the compiler sees, such as a string where a number is wanted.
     fn compiled(&mut self) {
-        for problem in check(&self.program) {
-            let Some(&place) = self.places.get(&problem.line) else {
-                continue;
-            };
-            let span = place.span(problem.span);
-            let message = message(problem.error);
-            // The compiler passes on what the parser has found, and that stands here with its exact place.
-            let known = self.found.iter().any(|found| {
-                let touches = found.span.start <= span.end && span.start <= found.span.end;
-                found.line == place.line && found.message == message && touches
-            });
-            if !known && problem.error != ErrorCode::UndefdStatement {
-                self.error(
-                    place.line,
-                    span,
-                    problem.error,
-                    sentence(&problem.cause),
-                    None,
-                );
+        self.found.sort_by_key(|found| found.line);
+        for problem in self.new_problems() {
+            if let Some(place) = self.places.get(&problem.line) {
+                let (line, span) = (place.line, place.span(problem.span));
+                self.error(line, span, problem.error, sentence(&problem.cause), None);
             }
         }
+    }
+
+    /// The compiler passes on what the parser has found; that stands here already, with its exact place.
+    fn new_problems(&self) -> Vec<Problem> {
+        let is_new = |problem: &Problem| {
+            let Some(&place) = self.places.get(&problem.line) else {
+                return false;
+            };
+            let span = place.span(problem.span);
+            let first = self.found.partition_point(|found| found.line < place.line);
+            let known = self.found.iter().skip(first);
+            !known
+                .take_while(|found| found.line == place.line)
+                .any(|found| {
+                    let touches = found.span.start <= span.end && span.start <= found.span.end;
+                    touches && found.message == message(problem.error)
+                })
+        };
+        let mut problems = check(&self.program);
+        problems.retain(|problem| problem.error != ErrorCode::UndefdStatement && is_new(problem));
+        problems
     }
 
     /// Jumps to lines that do not exist.
@@ -241,7 +251,11 @@ impl Findings {
                     continue;
                 }
                 let span = place.span(to.span);
-                let nearest = numbers.iter().min_by_key(|known| known.abs_diff(to.number));
+                let behind = numbers.partition_point(|&known| known < to.number);
+                let nearest = [behind.checked_sub(1), Some(behind)]
+                    .into_iter()
+                    .filter_map(|index| numbers.get(index?))
+                    .min_by_key(|known| known.abs_diff(to.number));
                 let cure = nearest.map(|nearest| Cure {
                     label: format!("Go to line {nearest}"),
                     span,
@@ -329,224 +343,5 @@ fn class_of(kind: TokenKind) -> HighlightClass {
         | TokenKind::Colon
         | TokenKind::Hash => HighlightClass::Operator,
         TokenKind::Bad(_) => HighlightClass::Error,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Line, message, cause and what the cure puts where the marked text is.
-    fn found(text: &str) -> Vec<(u32, String, String, Option<String>)> {
-        let lines: Vec<&str> = text.split('\n').collect();
-        let found = diagnose(text).into_iter().map(|found| {
-            let line = lines[found.line as usize];
-            let cured = found.cure.map(|cure| {
-                let (start, end) = (cure.span.start as usize, cure.span.end as usize);
-                let before: String = line.chars().take(start).collect();
-                let behind: String = line.chars().skip(end).collect();
-                format!("{before}{}{behind}", cure.replacement)
-            });
-            (found.line, found.message, found.cause, cured)
-        });
-        found.collect()
-    }
-
-    fn check(text: &str, expected: &[(u32, &str, &str, Option<&str>)]) {
-        let found = found(text);
-        let found: Vec<(u32, &str, &str, Option<&str>)> = found
-            .iter()
-            .map(|(line, message, cause, cured)| {
-                (*line, message.as_str(), cause.as_str(), cured.as_deref())
-            })
-            .collect();
-        assert_eq!(found, expected, "{text}");
-    }
-
-    #[test]
-    fn a_good_program_is_left_alone() {
-        check(
-            "10 FOR I=1 TO 3\n20 PRINT I\n\n30 NEXT\n40 IF I>3 THEN 10 ELSE END\n",
-            &[],
-        );
-        check("", &[]);
-    }
-
-    #[test]
-    fn errors_of_a_line_come_with_cause_and_cure() {
-        check(
-            "10 PRINT (1+2\n20 SCORE=1\n30 MGEAR(1): PRINT#1\n40 PRINT \"A\"+1",
-            &[
-                (
-                    0,
-                    "?SYNTAX ERROR",
-                    "A closing parenthesis is missing.",
-                    Some("10 PRINT (1+2)"),
-                ),
-                (
-                    1,
-                    "?SYNTAX ERROR",
-                    "The name SCORE has the keyword OR in it; a name must not.",
-                    None,
-                ),
-                (
-                    2,
-                    "?NOT IMPLEMENTED ERROR",
-                    "MGEAR: It is not simulated yet.",
-                    None,
-                ),
-                (
-                    2,
-                    "?NOT IMPLEMENTED ERROR",
-                    "PRINT does not work with files: the device itself does not implement them.",
-                    None,
-                ),
-                (3, "?TYPE MISMATCH ERROR", "A string is wanted here.", None),
-            ],
-        );
-    }
-
-    #[test]
-    fn a_jump_to_no_line_offers_the_nearest() {
-        check(
-            "10 GOTO 100\n 25 IF A THEN X=1 ELSE 24\n30 RUN 500",
-            &[
-                (
-                    0,
-                    "?UNDEF'D STATEMENT ERROR",
-                    "There is no line 100.",
-                    Some("10 GOTO 30"),
-                ),
-                (
-                    1,
-                    "?UNDEF'D STATEMENT ERROR",
-                    "There is no line 24.",
-                    Some(" 25 IF A THEN X=1 ELSE 25"),
-                ),
-                (
-                    2,
-                    "?UNDEFINED LINE NUMBER ERROR",
-                    "There is no line 500.",
-                    Some("30 RUN 30"),
-                ),
-            ],
-        );
-    }
-
-    #[test]
-    fn line_numbers_are_judged() {
-        check(
-            "20 END\n10 END\n10 STOP\n15\nPRINT 1\n70000 END",
-            &[
-                (
-                    1,
-                    "LINE 10 OUT OF ORDER",
-                    "The device sorts its lines: line 10 will stand before line 20.",
-                    None,
-                ),
-                (
-                    2,
-                    "LINE 10 TWICE",
-                    "Line 10 stands here a second time: this one replaces the first.",
-                    None,
-                ),
-                (
-                    3,
-                    "LINE 15 IS EMPTY",
-                    "A number alone deletes line 15.",
-                    None,
-                ),
-                (
-                    4,
-                    "?SYNTAX ERROR",
-                    "A program line begins with its number.",
-                    Some("25 PRINT 1"),
-                ),
-                (5, "?SYNTAX ERROR", "A line number is at most 63999.", None),
-            ],
-        );
-    }
-
-    #[test]
-    fn what_the_device_cannot_hold_is_shown() {
-        let long = format!("10 PRINT \"{}\"", "X".repeat(80));
-        let [found] = &diagnose(&long)[..] else {
-            unreachable!("{long}");
-        };
-        assert_eq!(
-            (found.span, found.message.as_str()),
-            (Span::new(80, 91), "?STRING TOO LONG ERROR")
-        );
-        check(
-            "10 PRINT \u{201c}A\"\n20 GOTO 10",
-            &[(
-                0,
-                "?SYNTAX ERROR",
-                "The device has no character \u{201c}.",
-                Some("10 PRINT \"A\""),
-            )],
-        );
-    }
-
-    #[test]
-    fn spans_are_counted_in_characters() {
-        let [found] = &diagnose("10 PRINT \"\u{e9}\u{e9}\": X=(")[..] else {
-            unreachable!();
-        };
-        assert_eq!(found.span, Span::new(18, 18));
-    }
-
-    #[test]
-    fn highlights_the_parts_of_a_line() {
-        use HighlightClass::*;
-        let line = " 10 FORI=1TOX%:A$=CHR$(65)+\"\u{e9}\":MV_ACC%=SCORE AND{pi}:MMOVE(5):REM x";
-        let parts: Vec<(String, HighlightClass)> = highlight(line)
-            .into_iter()
-            .map(|part| {
-                let range = part.span.range();
-                (
-                    line.chars().skip(range.start).take(range.len()).collect(),
-                    part.class,
-                )
-            })
-            .collect();
-        let expected = [
-            ("10", LineNumber),
-            ("FOR", Keyword),
-            ("I", Variable),
-            ("=", Operator),
-            ("1", Number),
-            ("TO", Keyword),
-            ("X%", Variable),
-            (":", Operator),
-            ("A$", Variable),
-            ("=", Operator),
-            ("CHR$", Function),
-            ("(", Operator),
-            ("65", Number),
-            (")", Operator),
-            ("+", Operator),
-            ("\"\u{e9}\"", Text),
-            (":", Operator),
-            ("MV_ACC%", SystemVariable),
-            ("=", Operator),
-            ("SCORE", Error),
-            ("AND", Operator),
-            ("{pi}", Number),
-            (":", Operator),
-            ("MMOVE", Function),
-            ("(", Operator),
-            ("5", Number),
-            (")", Operator),
-            (":", Operator),
-            ("REM", Comment),
-            (" x", Comment),
-        ];
-        let parts: Vec<(&str, HighlightClass)> = parts
-            .iter()
-            .map(|(text, class)| (text.as_str(), *class))
-            .collect();
-        assert_eq!(parts, expected);
-        assert_eq!(highlight("70000 END")[0].class, Error);
     }
 }

@@ -141,6 +141,8 @@ const fn by_letter() -> [usize; 27] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mc600::ast::StatementKind;
+    use crate::mc600::parser::parse_line;
 
     #[test]
     fn every_word_is_found_and_stands_in_order() {
@@ -162,6 +164,25 @@ mod tests {
             if letters.contains(word) && *word != "GO TO" {
                 assert_eq!(longest_at(word.as_bytes()), Some((*keyword, word.len())));
             }
+        }
+    }
+
+    #[test]
+    fn every_example_parses_and_uses_its_word() {
+        for row in rows() {
+            let parsed = parse_line(row.example.as_bytes());
+            let absent = matches!(row.support, Support::Absent(_));
+            let faults = parsed.statements.iter().map(|statement| &statement.kind);
+            for kind in faults.clone() {
+                let malformed = matches!(kind, StatementKind::Malformed(_));
+                assert!(!malformed, "{}: {kind:?}", row.example);
+            }
+            let refused = faults
+                .filter(|kind| matches!(kind, StatementKind::NotImplemented(_)))
+                .count();
+            assert_eq!(refused > 0, absent, "{}", row.example);
+            assert!(row.example.contains(row.word), "{}", row.example);
+            assert!(row.example.len() <= 80);
         }
     }
 
