@@ -183,7 +183,11 @@ impl Block {
     fn new(signals: usize) -> Block {
         Block {
             times: Vec::with_capacity(BLOCK),
-            columns: vec![Vec::with_capacity(BLOCK); signals],
+            // Not `vec![…; signals]`, whose clones have no capacity. The few rows more keep columns from lying a whole
+            // page apart, where they would contend for the same cache lines.
+            columns: (0..signals)
+                .map(|_| Vec::with_capacity(BLOCK + 8))
+                .collect(),
             summary: OnceCell::new(),
         }
     }

@@ -114,7 +114,7 @@ impl Array {
         }
     }
 
-    /// Where an element stands, dimensioning the array to 10 in each direction on its first use.
+    /// Where an element stands, dimensioning the array to 10 in each direction on its first use (D29).
     ///
     /// # Errors
     /// ILLEGAL QUANTITY for a subscript that no array can have, BAD SUBSCRIPT for one that this array has not, OUT OF

@@ -10,7 +10,7 @@ use super::ast::DataItem;
 use super::firmware::ErrorCode;
 use super::sysvars::SysVar;
 
-/// Numeric registers: temporaries, then constants and simple variables as they are met. A power of two.
+/// Numeric registers: temporaries, then constants and simple variables as they are met (D28). A power of two.
 pub const REGISTERS: usize = 8192;
 /// The first registers are temporaries of expressions; no expression needs more than the nesting limit allows.
 pub const TEMPORARIES: u16 = 256;

@@ -32,7 +32,7 @@ impl Mc600 {
         self.program_changed();
     }
 
-    /// Variables, loops and what CONT remembers do not outlive a change of the program, as in Microsoft BASIC.
+    /// Variables, loops and what CONT remembers do not outlive a change of the program, as in Microsoft BASIC (D24).
     pub(super) fn program_changed(&mut self) {
         self.compiled = false;
         self.resume = None;
@@ -55,7 +55,7 @@ impl Mc600 {
             return;
         }
         self.vm.symbols = super::symbols::Symbols::default();
-        self.vm.image = compile(&self.program, &mut self.vm.symbols);
+        self.vm.image = compile(&self.program, &mut self.vm.symbols, self.without);
         self.vm.program_bytes = self.program.bytes();
         self.vm.clear();
         self.compiled = true;
@@ -68,7 +68,7 @@ impl Mc600 {
         // Loops of an earlier direct line are gone with it.
         let program_ops = self.vm.image.program_ops;
         frames.retain(|frame| frame.place() < program_ops);
-        self.vm.pc = compile_direct(line, &mut self.vm.symbols, &mut self.vm.image);
+        self.vm.pc = compile_direct(line, &mut self.vm.symbols, &mut self.vm.image, self.without);
         self.vm.take_in_symbols();
         self.debugger.bind(&self.vm.image);
         self.error = None;
@@ -134,7 +134,7 @@ impl Mc600 {
         Ok(())
     }
 
-    /// RUN with a line number that is computed, before the variables are cleared.
+    /// RUN with a line number that is computed (D26), before the variables are cleared.
     fn start_at(&mut self, register: u16) -> Result<(), ErrorCode> {
         let line = to_integer(self.vm.register(register))?;
         let line = u16::try_from(line).map_err(|_| ErrorCode::UndefinedLineNumber)?;
@@ -193,7 +193,7 @@ impl Mc600 {
         }
     }
 
-    /// AUTO: a number is offered, a line is stored, an empty one ends it.
+    /// AUTO: a number is offered, a line is stored, an empty one ends it (D52).
     pub(super) fn offer_line(&mut self, line: u16, increment: u16, prompted: bool) -> bool {
         if !prompted {
             self.on_new_line(&format!(">{line} "));
@@ -242,7 +242,7 @@ impl Mc600 {
 
     fn save(&mut self, name: u16) -> Result<(), ErrorCode> {
         let name = match name {
-            // Without a name: the one it was last loaded from or saved to (decision).
+            // Without a name: the one it was last loaded from or saved to (D48).
             ANY => self.file.clone().ok_or(ErrorCode::Syntax)?,
             name => FileName::parse(self.vm.string(name))?,
         };

@@ -7,12 +7,12 @@ use crate::controller::{Output, Ports};
 use crate::serial::{Flow, Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
 use crate::time::Nanos;
 
-/// Bytes that are kept until they are read (assumed).
+/// Bytes that are kept until they are read (D41).
 const RING: usize = 256;
-/// The other side is stopped at this many, and let go again at the second figure (assumed: three quarters, a quarter).
+/// The other side is stopped at this many, and let go again at the second figure (D41: three quarters, a quarter).
 const RING_HIGH: usize = RING * 3 / 4;
 const RING_LOW: usize = RING / 4;
-/// Printing waits while more bytes than this have not been sent (assumed).
+/// Printing waits while more bytes than this have not been sent (D42).
 const PENDING: usize = 16;
 
 const CTRL_C: u8 = 0x03;
@@ -73,7 +73,7 @@ impl Console {
         self.receiver.accept(frame);
     }
 
-    /// Reads what has arrived by `now`. Ctrl-C is taken here and throws away what was typed ahead.
+    /// Reads what has arrived by `now`. Ctrl-C is taken here and throws away what was typed ahead (D43).
     pub fn receive(&mut self, now: Nanos) {
         while let Some(received) = self.receiver.next(now) {
             match received.byte {
@@ -140,7 +140,7 @@ impl Console {
         None
     }
 
-    /// Other control characters mean nothing and leave no trace.
+    /// Other control characters mean nothing and leave no trace (D53).
     fn typed(&mut self, byte: u8) {
         if byte < b' ' {
             return;

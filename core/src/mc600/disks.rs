@@ -29,10 +29,10 @@ pub struct FileName {
 }
 
 impl FileName {
-    /// Reads `[A:|B:]NAME[.EXT]`; without an extension it is `.BAS`.
+    /// Reads `[A:|B:]NAME[.EXT]`; without an extension it is `.BAS` (D51), without a disk on A: (D47).
     ///
     /// # Errors
-    /// ILLEGAL QUANTITY for what is not a name of eight and three characters (decision).
+    /// ILLEGAL QUANTITY for what is not a name of eight and three characters (D49).
     pub fn parse(text: &[u8]) -> Result<FileName, ErrorCode> {
         let (unit, rest) = unit_and_rest(text)?;
         let name = if rest.contains('.') {
@@ -92,7 +92,7 @@ impl Disks {
     /// Writes a file whole.
     ///
     /// # Errors
-    /// OUT OF MEMORY if the disk has no room (decision: the manual names no error for it).
+    /// OUT OF MEMORY if the disk has no room (D49).
     pub fn write(&mut self, name: &FileName, bytes: &[u8]) -> Result<(), ErrorCode> {
         let disk = if name.unit == Unit::A {
             &mut self.a
@@ -103,7 +103,7 @@ impl Disks {
             .map_err(|_| ErrorCode::OutOfMemory)
     }
 
-    /// The directory of the files that match a mask, and what is free (the form is assumed).
+    /// The directory of the files that match a mask, and what is free (D50).
     ///
     /// # Errors
     /// ILLEGAL QUANTITY for a disk that there is not.

@@ -26,10 +26,10 @@ const NO_STOP: i32 = 1 << 2;
 /// `gv_command%` bit 3.
 const REFERENCE: i32 = 1 << 3;
 const COMMAND_BITS: i32 = ENABLE | NO_STOP_AND_DISABLE | NO_STOP | REFERENCE;
-/// `gv_command%` at power-up and after `mdrvdis` (assumed).
+/// `gv_command%` at power-up and after `mdrvdis` (D62).
 const DISABLED: i32 = NO_STOP_AND_DISABLE | NO_STOP;
 
-/// Following error at which the drive trips, in revolutions (assumed: PEMAX of 262144 at 20 bits).
+/// Following error at which the drive trips, in revolutions (D66: PEMAX of 262144 at 20 bits).
 const FOLLOWING_LIMIT: f64 = 0.25;
 
 /// What trips the drive; the number is that of the drive's own list.
@@ -106,7 +106,7 @@ fn gains(plant: &AxisParameters) -> Gains {
 }
 
 impl Drive {
-    /// As at power-up, with the motor where the encoder counts `count`: that is position 0 (assumed).
+    /// As at power-up, with the motor where the encoder counts `count`: that is position 0 (D76).
     pub fn new(count: i64) -> Drive {
         Drive {
             state: State::Ready,
@@ -129,7 +129,7 @@ impl Drive {
         };
     }
 
-    /// `mdrven`. Nothing happens while a fault is latched or the emergency stop is open (assumed).
+    /// `mdrven`. Nothing happens while a fault is latched or the emergency stop is open (D65).
     pub fn enable(&mut self, conditions: &Conditions) {
         if self.faults == 0 && !conditions.emergency_stop {
             self.command = COMMAND_BITS;

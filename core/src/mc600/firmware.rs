@@ -92,11 +92,11 @@ impl ErrorCode {
 /// The planner's sample period ("How the MC-600 works"; the unit `Sampling time` of the planner).
 pub const SAMPLE: Nanos = Nanos(2_000_000);
 
-/// Firmware time in which statement costs are counted, in ns (assumed: what one operand adds to a statement on the
+/// Firmware time in which statement costs are counted, in ns (D46: what one operand adds to a statement on the
 /// card's C167).
 pub const COST_UNIT: i64 = 50_000;
 
-/// What a statement costs before its operands are counted, so that a simple one takes 0.4 ms (assumed).
+/// What a statement costs before its operands are counted, so that a simple one takes 0.4 ms (D46).
 pub const STATEMENT_COST: u16 = 6;
 
 /// Firmware time that a sample holds at the most, in ns: 10,000 of the cheapest statements, however fast the interpreter
@@ -106,13 +106,13 @@ pub const CREDIT_A_SAMPLE: Nanos = Nanos(10_000 * (STATEMENT_COST as u64) * (COS
 /// Longest line that the console takes (Basic programming rules).
 pub const LINE_LENGTH: usize = 80;
 
-/// Highest line number (as Commodore BASIC; the manual is silent).
+/// Highest line number (D20).
 pub const LAST_LINE: u16 = 63_999;
 
 /// Longest name before its `%` or `$` (Integer floating point and string variables).
 pub const NAME_LENGTH: usize = 20;
 
-/// Longest string (as Commodore BASIC; functions take lengths of 0 to 255).
+/// Longest string (functions take lengths of 0 to 255).
 pub const STRING_LENGTH: usize = 255;
 
 /// Deepest nesting of parentheses in an expression (Hierarchy of operations).
@@ -121,7 +121,7 @@ pub const PARENTHESES: usize = 10;
 /// Deepest nesting of FOR loops (NEXT).
 pub const FOR_LEVELS: usize = 9;
 
-/// Deepest nesting of GOSUB (assumed; the manual says only that it is limited).
+/// Deepest nesting of GOSUB (D21).
 pub const GOSUB_LEVELS: usize = 64;
 
 /// Program and variables share the card's RAM (Technical data).

@@ -80,7 +80,7 @@ fn square_root(x: f64) -> Result<f64, ErrorCode> {
     }
 }
 
-/// TAN overflows where the cosine is zero (TAN).
+/// TAN overflows where the cosine is zero (TAN; D31).
 fn tangent(x: f64) -> Result<f64, ErrorCode> {
     if libm::cos(x).abs() < 1e-15 {
         return Err(ErrorCode::DivisionByZero);
@@ -99,7 +99,7 @@ pub fn power(base: f64, exponent: f64) -> Result<f64, ErrorCode> {
     if base < 0.0 && exponent.floor() != exponent {
         return Err(ErrorCode::IllegalQuantity);
     }
-    // Small whole powers are exact, as repeated multiplication is.
+    // Small whole powers are exact, as repeated multiplication is (D30).
     if let Ok(times @ 0..=16) = to_integer(exponent)
         .map(u8::try_from)
         .unwrap_or(Ok(u8::MAX))

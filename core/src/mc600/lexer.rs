@@ -67,6 +67,8 @@ pub enum Bad {
     Hexadecimal,
     /// A byte that means nothing outside a string.
     Byte(u8),
+    /// A keyword that this card was put on the bench without; the parser marks it.
+    Lacking(Keyword),
 }
 
 impl Bad {
@@ -74,6 +76,7 @@ impl Bad {
     pub fn error(self) -> ErrorCode {
         match self {
             Bad::Overflow => ErrorCode::Overflow,
+            Bad::Lacking(_) => ErrorCode::NotImplemented,
             _ => ErrorCode::Syntax,
         }
     }
@@ -97,6 +100,7 @@ impl Bad {
             Bad::Hexadecimal => {
                 "`&` begins a hexadecimal number, which goes on with H and digits.".into()
             }
+            Bad::Lacking(keyword) => format!("This card has no {}.", keyword.word()),
             Bad::Byte(byte @ 0x20..=0x7e) => {
                 format!("`{}` means nothing outside a string.", char::from(byte))
             }

@@ -12,7 +12,7 @@ use crate::plant::{PlantAxis, presets};
 const COUNTS_PER_REVOLUTION: u32 = 4096;
 /// Inputs 0 to 7 are on the card, 8 to 11 are IN1 to IN4 of the drive, 12 is its ENABLE.
 const INPUTS: u8 = 13;
-/// The drive's ENABLE input. It is on until it is wired otherwise, so that `mdrven` works on a new bench (assumed).
+/// The drive's ENABLE input. It is on until it is wired otherwise, so that `mdrven` works on a new bench (D64).
 const ENABLE_INPUT: u8 = 12;
 /// Outputs 0 to 7 are on the card, 8 and 9 on the drive.
 const OUTPUTS: u8 = 10;
@@ -196,7 +196,7 @@ impl Machine {
     ///
     /// A motion command has an effect once the drive is enabled or on its way there, in the very next statement after
     /// `mdrven`: the motion then starts with the enabled drive. Otherwise, and while an emergency stop is held, the
-    /// reference is not enabled and the planner stays idle (assumed).
+    /// reference is not enabled and the planner stays idle (D63).
     pub fn command(&mut self, command: MotionCommand) {
         let conditions = self.conditions();
         let takes_reference = self.drive.takes_reference(&conditions);

@@ -38,6 +38,7 @@ use console::{Console, Echo};
 use debugger::Debugger;
 use disks::Disks;
 use firmware::{COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
+use keywords::{Keyword, keyword};
 use machine::{Machine, MotionCommand};
 use program::Program;
 use vm::{Vm, World};
@@ -59,6 +60,10 @@ pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "password",
         help: "the password (default: PASSWORD)",
+    },
+    Opt {
+        key: "without",
+        help: "a keyword that the card answers with ?NOT IMPLEMENTED ERROR (default: none)",
     },
 ];
 
@@ -124,6 +129,8 @@ pub struct Mc600 {
     locked: bool,
     alias: Option<String>,
     password: String,
+    /// A keyword that this card lacks.
+    without: Option<Keyword>,
     /// Items of non-volatile memory that this version does not know.
     unknown: Vec<MemoryItem>,
     /// Motion commands of this sample, while someone wants them.
@@ -159,6 +166,7 @@ impl Mc600 {
             locked: false,
             alias: None,
             password: FACTORY_PASSWORD.to_owned(),
+            without: None,
             unknown: Vec::new(),
             log: Vec::new(),
         };
@@ -183,6 +191,11 @@ impl Mc600 {
             ("locked", _) => return Err("locked is yes or no".to_owned()),
             ("alias", name) => self.alias = (!name.is_empty()).then(|| name.to_owned()),
             ("password", word) => self.password = word.to_owned(),
+            ("without", word) => {
+                let keyword =
+                    keyword(word).ok_or_else(|| format!("mc600 has no keyword '{word}'"))?;
+                self.without = Some(keyword);
+            }
             _ => {
                 let known: Vec<&str> = OPTIONS.iter().map(|option| option.key).collect();
                 return Err(format!(
@@ -249,13 +262,14 @@ impl Mc600 {
             self.vm.say(b"\r\n");
         }
         match self.mode {
-            Mode::Off | Mode::Locked { .. } => {}
+            Mode::Off => {}
+            Mode::Locked { .. } => self.mode = Mode::Locked { asked: false },
             Mode::Ready { .. } | Mode::Auto { .. } => self.mode = Mode::Ready { prompted: false },
             Mode::Running => self.break_off(),
         }
     }
 
-    /// Ends the running line or program as STOP does.
+    /// Ends the running line or program as STOP does (D2).
     fn break_off(&mut self) {
         let line = self.vm.image.line_at(self.vm.pc);
         let message = match line {
@@ -276,7 +290,7 @@ impl Mc600 {
         self.mode = Mode::Ready { prompted: false };
     }
 
-    /// Prints a message at the start of a line.
+    /// Prints a message at the start of a line (D45).
     fn on_new_line(&mut self, message: &str) {
         if self.vm.column(&self.console) != 0 {
             self.vm.say(b"\r\n");
@@ -339,7 +353,7 @@ impl Mc600 {
                 return false;
             }
             Exit::End => {
-                // CONT goes on behind an END; a direct line that ends forgets nothing.
+                // CONT goes on behind an END (D25); a direct line that ends forgets nothing.
                 let behind = self.vm.pc.saturating_add(1);
                 if self.vm.image.line_at(self.vm.pc).is_some() {
                     self.resume = self.vm.image.line_at(behind).map(|_| behind);
@@ -376,7 +390,7 @@ impl Mc600 {
         self.error = Some(message);
     }
 
-    /// The power-up password (Installation).
+    /// The power-up password (Installation; D40).
     fn unlock(&mut self, asked: bool) -> bool {
         if !asked {
             self.on_new_line("PASSWORD? ");

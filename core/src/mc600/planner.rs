@@ -11,11 +11,11 @@ use crate::motion::ramp::{
 /// Bits of a fraction of a count in a position, and of a count per sample in a speed.
 const FRACTION: u32 = 8;
 
-/// Acceleration of every generator at power-up: 1 rpm/ms (assumed), in counts*256/sample².
+/// Acceleration of every generator at power-up: 1 rpm/ms (D61), in counts*256/sample².
 const POWER_UP_ACCELERATION: i32 = 70;
-/// Speed of every generator at power-up: 1000 rpm (assumed), in counts*256/sample.
+/// Speed of every generator at power-up: 1000 rpm (D61), in counts*256/sample.
 const POWER_UP_SPEED: i32 = 34_952;
-/// Deceleration of an emergency stop (assumed; the drive's own parameter is not in the manual). 1 rpm/ms is the
+/// Deceleration of an emergency stop (D67; the drive's own parameter is not in the manual). 1 rpm/ms is the
 /// 15000th part of a revolution per sample².
 const EMERGENCY_RPM_PER_MS: i64 = 20;
 
@@ -113,7 +113,7 @@ impl Planner {
     /// One sample.
     pub fn sample(&mut self, blocked: Blocked) {
         if self.generator == Generator::Idle && self.reference.velocity != 0 {
-            // The drive was enabled while the motor turned (assumed: it is stopped like any other motion).
+            // The drive was enabled while the motor turned (it is stopped like any other motion, D74).
             self.generator = Generator::Stop { emergency: false };
         }
         let mut velocity = self.next_velocity();
@@ -157,7 +157,7 @@ impl Planner {
         }
     }
 
-    /// A generator that has done its work gives way to idle (assumed for a move: bit 13 is reset with the bit that
+    /// A generator that has done its work gives way to idle (D69 for a move: bit 13 is reset with the bit that
     /// says that no move is active).
     fn finish(&mut self) {
         let at_rest = self.reference.velocity == 0;
@@ -190,7 +190,7 @@ impl Planner {
     }
 
     /// `mmove`, in counts. Without a modulus the way is the 32-bit difference; with one the target is taken into it
-    /// and reached as the direction bits say, without them on the way that does not pass 0 (assumed).
+    /// and reached as the direction bits say, without them on the way that does not pass 0 (D72).
     pub fn move_to(&mut self, position: i32) {
         let (position, here) = (i64::from(position), counts(self.reference.position));
         let distance = match self.modulus() {
@@ -292,7 +292,7 @@ impl Planner {
         i32::from(self.fine)
     }
 
-    /// Sets `mres%`: 0 is 4096 counts a revolution, anything else 65536 (assumed). The axis stays where it is, so the
+    /// Sets `mres%`: 0 is 4096 counts a revolution, anything else 65536 (D71). The axis stays where it is, so the
     /// positions change their numbers; speeds and accelerations that were set keep theirs.
     pub fn set_resolution(&mut self, resolution: i32) {
         let fine = resolution != 0;
@@ -380,7 +380,7 @@ impl Planner {
         )
     }
 
-    /// `gv_mflag%`. Bit 0 stays until the next motion (assumed).
+    /// `gv_mflag%`. Bit 0 stays until the next motion (D69).
     pub fn motion_flags(&self) -> i32 {
         i32::from(self.final_position) | i32::from(self.at_speed()) << 2
     }
@@ -390,7 +390,7 @@ impl Planner {
         i32::from(!self.speed_contributes()) | i32::from(self.at_speed()) << 2
     }
 
-    /// `sm_speed%`; 0 while the speed generator is not active (assumed).
+    /// `sm_speed%`; 0 while the speed generator is not active (D70).
     pub fn speed_demand(&self) -> i32 {
         if self.speed_contributes() {
             saturate(self.reference.velocity)

@@ -11,11 +11,11 @@ use super::jumps::jumps;
 use super::lexer::{TokenKind, is_blank, line_number, tokens};
 use crate::language::latin1;
 
-/// The longest line that a program holds, its number counted (assumed). The console takes 80 characters, but RENUM
+/// The longest line that a program holds, its number counted (D27). The console takes 80 characters, but RENUM
 /// makes lines longer, and a program that was saved must load again.
 pub const STORED_LENGTH: usize = 255;
 
-/// What a line takes in memory besides its text: number, length and link (assumed).
+/// What a line takes in memory besides its text: number, length and link (D27).
 const LINE_OVERHEAD: usize = 5;
 
 /// The lines of a program. A clone shares them until one is changed.

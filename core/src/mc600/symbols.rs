@@ -127,7 +127,7 @@ impl Symbols {
         &self.kinds
     }
 
-    /// Bytes of the card's memory that the names take (assumed: 16 each).
+    /// Bytes of the card's memory that the names take (D27: 16 each).
     pub fn bytes(&self) -> usize {
         16 * (self.numbers.len() + self.strings.len() + self.arrays.len())
     }

@@ -174,7 +174,7 @@ impl SysVar {
     }
 
     /// Whether a program cannot assign it. The manual says so of `cm_index%` and `vx_pos%`; the others are reports of
-    /// the planner, the drive or an input (assumed).
+    /// the planner, the drive or an input (D68).
     pub fn is_read_only(self) -> bool {
         use SysVar::*;
         match self {

@@ -8,7 +8,7 @@ use super::firmware::{ErrorCode, STRING_LENGTH};
 pub type Text = SmallVec<[u8; 24]>;
 
 /// A result of arithmetic as the firmware keeps it: too large is an OVERFLOW, too small is zero
-/// (Floating-point constants: 1.70141183E+38 is 2^127, 2.93873588E-39 is 2^-128).
+/// (Floating-point constants: 1.70141183E+38 is 2^127, 2.93873588E-39 is 2^-128; D17).
 #[inline(always)]
 pub fn in_range(value: f64) -> Result<f64, ErrorCode> {
     const LOWEST: u64 = 1023 - 128;
@@ -31,7 +31,7 @@ fn out_of_range(value: f64) -> Result<f64, ErrorCode> {
     }
 }
 
-/// The floor within 32 bits (decision: real to integer).
+/// The floor within 32 bits (D6).
 ///
 /// # Errors
 /// ILLEGAL QUANTITY outside.

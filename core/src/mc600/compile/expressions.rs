@@ -10,7 +10,7 @@ use crate::language::Span;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Type {
     Real,
-    /// An integer where its value is one: it prints all its digits (decision: integer format whenever possible).
+    /// An integer where its value is one: it prints all its digits (D15).
     Integer,
     Text,
 }

@@ -9,6 +9,7 @@ use std::rc::Rc;
 use super::ast::{LineRef, Statement, StatementKind};
 use super::code::{Code, Image, Op, STRING_TEMPORARIES, SystemCall, TEMPORARIES};
 use super::firmware::ErrorCode;
+use super::keywords::Keyword;
 use super::parser::parse_statements;
 use super::program::Program;
 use super::symbols::Symbols;
@@ -28,23 +29,27 @@ pub struct Problem {
     pub cause: String,
 }
 
-/// Compiles a whole program.
-pub fn compile(program: &Program, symbols: &mut Symbols) -> Image {
-    compile_with_problems(program, symbols).0
+/// Compiles a whole program, for a card that lacks the keyword `without`.
+pub fn compile(program: &Program, symbols: &mut Symbols, without: Option<Keyword>) -> Image {
+    compile_with_problems(program, symbols, without).0
 }
 
 /// What is wrong with a program, told without running it.
 pub fn check(program: &Program) -> Vec<Problem> {
-    compile_with_problems(program, &mut Symbols::default()).1
+    compile_with_problems(program, &mut Symbols::default(), None).1
 }
 
-fn compile_with_problems(program: &Program, symbols: &mut Symbols) -> (Image, Vec<Problem>) {
+fn compile_with_problems(
+    program: &Program,
+    symbols: &mut Symbols,
+    without: Option<Keyword>,
+) -> (Image, Vec<Problem>) {
     let mut compiler = Compiler::new(symbols, Vec::new(), false);
     let mut lines = Vec::new();
     for (number, text) in program.lines() {
         compiler.line = number;
         lines.push((number, compiler.here()));
-        let statements = parse_statements(text);
+        let statements = parse_statements(text, without);
         compiler.gather_data(&statements);
         compiler.statements(&statements);
     }
@@ -71,13 +76,18 @@ fn compile_with_problems(program: &Program, symbols: &mut Symbols) -> (Image, Ve
 }
 
 /// Compiles a direct line behind the program and returns its first operation.
-pub fn compile_direct(text: &[u8], symbols: &mut Symbols, image: &mut Image) -> u32 {
+pub fn compile_direct(
+    text: &[u8],
+    symbols: &mut Symbols,
+    image: &mut Image,
+    without: Option<Keyword>,
+) -> u32 {
     let ops = Rc::make_mut(&mut image.ops);
     let start = image.program_ops;
     ops.truncate(usize::try_from(start).unwrap_or(usize::MAX));
     let mut compiler = Compiler::new(symbols, std::mem::take(&mut image.sysvars), true);
     compiler.ops = std::mem::take(ops);
-    compiler.statements(&parse_statements(text));
+    compiler.statements(&parse_statements(text, without));
     compiler.close_whiles();
     compiler.emit(Op::new(Code::End, 0, 0, 0));
     let Compiler {
@@ -269,7 +279,7 @@ impl<'a> Compiler<'a> {
         }
     }
 
-    /// A WHILE without a WHEND can be entered but not skipped.
+    /// A WHILE without a WHEND can be entered but not skipped (D3).
     fn close_whiles(&mut self) {
         for open in std::mem::take(&mut self.whiles) {
             let error = ErrorCode::Syntax;

@@ -9,7 +9,7 @@ mod tests;
 use super::ast::{Malformed, Statement, StatementKind};
 use super::firmware::ErrorCode;
 use super::keywords::Keyword;
-use super::lexer::{Token, TokenKind, line_number, tokens};
+use super::lexer::{Bad, Token, TokenKind, line_number, tokens};
 use super::program::STORED_LENGTH;
 use crate::language::{Cure, Cursor, Span, latin1};
 
@@ -30,26 +30,35 @@ pub fn parse_line(line: &[u8]) -> ParsedLine {
     ParsedLine {
         number,
         body,
-        statements: parse(line, body),
+        statements: parse(line, body, None),
     }
 }
 
-/// Parses the text behind a line number. Spans count from its first byte.
-pub fn parse_statements(text: &[u8]) -> Vec<Statement> {
-    parse(text, 0)
+/// Parses the text behind a line number, for a card that lacks the keyword `without`. Spans count from its first byte.
+pub fn parse_statements(text: &[u8], without: Option<Keyword>) -> Vec<Statement> {
+    parse(text, 0, without)
 }
 
 /// A line of more than 255 bytes, which the device cannot hold, is one malformed statement; so everything below works
 /// on little text and nests no deeper than that allows.
-fn parse(line: &[u8], start: usize) -> Vec<Statement> {
+fn parse(line: &[u8], start: usize, without: Option<Keyword>) -> Vec<Statement> {
     if line.len() > STORED_LENGTH {
         let cause = format!("The line has more than {STORED_LENGTH} characters.");
         let span = Span::new(start, line.len());
         return vec![Fault::syntax(span, cause).statement(span)];
     }
+    let mut tokens = tokens(line, start);
+    if let Some(keyword) = without {
+        let lacking = |token: &&mut Token| token.kind == TokenKind::Keyword(keyword);
+        let bad = TokenKind::Bad(Bad::Lacking(keyword));
+        tokens
+            .iter_mut()
+            .filter(lacking)
+            .for_each(|token| token.kind = bad);
+    }
     let mut parser = Parser {
         line,
-        tokens: tokens(line, start),
+        tokens,
         next: 0,
         parentheses: 0,
         prefixes: 0,
@@ -241,6 +250,7 @@ impl Parser<'_> {
     fn unexpected(&self, expected: &str) -> Fault {
         let span = self.here();
         match self.peek() {
+            Some(TokenKind::Bad(Bad::Lacking(keyword))) => Fault::NotImplemented(keyword),
             Some(TokenKind::Bad(bad)) => {
                 Fault::new(bad.error(), span, bad.cause(&self.written(span)))
             }

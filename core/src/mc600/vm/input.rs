@@ -132,7 +132,7 @@ impl Vm {
             match whole_number(&item.text).filter(|_| !item.quoted) {
                 Some(value) => self.set_register(op.c, in_range(value)?),
                 None => {
-                    // As on a Commodore, the error names the line of the DATA that does not fit.
+                    // The error names the line of the DATA that does not fit (D23).
                     self.give_up();
                     return Ok(Flow::Leave(Exit::Error(ErrorCode::Syntax, Some(line))));
                 }

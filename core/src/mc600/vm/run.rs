@@ -325,7 +325,7 @@ impl Vm {
             Some(Function::Insta) => Ok(f64::from(world.machine.inputs())),
             Some(Function::Outsta) => Ok(f64::from(world.machine.outputs())),
             Some(Function::Rnd) => {
-                // As on a Commodore: negative starts a series, zero takes the clock, positive goes on.
+                // As on a Commodore (D19): negative starts a series, zero takes the clock, positive goes on.
                 if argument < 0.0 {
                     self.random = argument.to_bits() | 1;
                 } else if argument == 0.0 {

@@ -236,10 +236,10 @@ fn endless_text_nests_no_deeper_than_a_line() {
         "2*NOT ",
     ] {
         let long = part.repeat(65_536 / part.len());
-        assert_eq!(parse_statements(long.as_bytes()).len(), 1, "{part}");
+        assert_eq!(parse_statements(long.as_bytes(), None).len(), 1, "{part}");
         let most = part.repeat(255 / part.len());
-        parse_statements(most.as_bytes());
-        parse_statements(format!("PRINT {}", &most[..240]).as_bytes());
+        parse_statements(most.as_bytes(), None);
+        parse_statements(format!("PRINT {}", &most[..240]).as_bytes(), None);
     }
     check(
         &format!("X={}1", "-".repeat(41)),
