@@ -86,7 +86,10 @@ impl Mc600 {
                 Ok(())
             }
             SystemCall::List => {
-                self.listing = Some((op.b, op.c));
+                self.listing = Some(LineRange {
+                    first: op.b,
+                    last: op.c,
+                });
                 Ok(())
             }
             SystemCall::Run => self.start(None),
@@ -173,20 +176,16 @@ impl Mc600 {
 
     /// Prints the next line of LIST.
     pub(super) fn list_next(&mut self) {
-        let Some((first, last)) = self.listing else {
-            return;
-        };
-        let next = self
-            .program
-            .lines()
-            .find(|&(number, _)| number >= first)
-            .map(|(number, _)| number);
-        match next.filter(|&number| number <= last) {
-            Some(number) => {
-                let text = self.program.list_line(number).unwrap_or_default();
+        let Some(range) = self.listing else { return };
+        let next = self.program.lines_in(range).next();
+        let number = next.map(|(number, _)| number);
+        match number.and_then(|number| Some((number, self.program.list_line(number)?))) {
+            Some((number, text)) => {
                 self.vm.say(&text);
                 self.vm.say(b"\r\n");
-                self.listing = number.checked_add(1).map(|first| (first, last));
+                self.listing = number
+                    .checked_add(1)
+                    .map(|first| LineRange { first, ..range });
                 self.charge_a_line();
             }
             None => self.listing = None,

@@ -112,8 +112,8 @@ pub struct Mc600 {
     compiled: bool,
     /// What CONT goes on with.
     resume: Option<u32>,
-    /// Lines that LIST still has to print, first to last.
-    listing: Option<(u16, u16)>,
+    /// Lines that LIST still has to print.
+    listing: Option<ast::LineRange>,
     /// The name that SAVE without one takes.
     file: Option<disks::FileName>,
     credit: Credit,

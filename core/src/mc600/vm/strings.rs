@@ -118,11 +118,8 @@ impl Vm {
                     Code::Mid => usize::from(to_byte(self.register(op.b.saturating_add(1)))?),
                     _ => usize::MAX,
                 };
-                // Positions count from 1.
-                let start = first
-                    .checked_sub(1)
-                    .ok_or(ErrorCode::IllegalQuantity)?
-                    .min(text.len());
+                // Positions count from 1; the manual allows 0, which is taken as 1 (D32).
+                let start = first.saturating_sub(1).min(text.len());
                 text.get(start..start.saturating_add(length).min(text.len()))
             }
         };
