@@ -1,5 +1,7 @@
 //! The scenario runner itself: what it says when a text is no scenario, and when something does not hold.
 
+#![cfg(not(target_family = "wasm"))]
+
 use motionbench_core::scenario::{Outcome, Report, Scenario};
 
 /// Runs a scenario about an MC-600 that is switched on, whose lines count from 3.
