@@ -17,21 +17,41 @@ pub fn scenarios() -> impl Iterator<Item = &'static str> {
     names.filter(|name| name.ends_with(".scenario"))
 }
 
+/// A scenario's text.
+///
+/// # Panics
+/// If there is no such scenario.
+pub fn text(name: &str) -> String {
+    program_text(file(name).unwrap_or_else(|| panic!("there is no {name}")))
+}
+
 /// Runs a scenario.
 ///
 /// # Panics
 /// If it cannot be read.
 pub fn run(name: &str) -> Report {
-    let text = program_text(file(name).unwrap_or_else(|| panic!("there is no {name}")));
-    let scenario = Scenario::parse(&text)
+    run_text(name, &text(name))
+}
+
+/// Runs another text in place of a scenario's.
+///
+/// # Panics
+/// If it is no scenario.
+pub fn run_text(name: &str, text: &str) -> Report {
+    let scenario = Scenario::parse(text)
         .unwrap_or_else(|problem| panic!("{name}:{}: {}", problem.line, problem.message));
-    let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
     scenario.run(&mut |file_name| {
-        let path = format!("{folder}/{file_name}");
+        let path = beside(name, file_name);
         file(&path)
             .map(<[u8]>::to_vec)
             .ok_or_else(|| format!("there is no {path}"))
     })
+}
+
+/// The name of a file that a scenario mentions.
+pub fn beside(name: &str, file_name: &str) -> String {
+    let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+    format!("{folder}/{file_name}")
 }
 
 /// Runs a scenario, which must hold, and do what it did elsewhere: see [`Report::digest`].

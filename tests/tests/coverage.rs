@@ -1,0 +1,135 @@
+//! Every word that works is held by scenarios: on a card without it they fail.
+#![cfg(not(target_family = "wasm"))]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Mutex;
+
+use motionbench_core::catalog::{self, Kind};
+use motionbench_core::language::Support;
+use motionbench_core::scenario::Outcome;
+use motionbench_tests::{conformance, programs};
+
+/// The words of a scenario's programs and commands, as the controller's own lexer finds them.
+fn words(kind: &Kind, name: &str) -> BTreeSet<String> {
+    let lines = programs::lines(name);
+    let words = lines.iter().flat_map(|line| {
+        let parts = (kind.highlight)(line);
+        parts.into_iter().map(|part| {
+            let range = part.span.range();
+            let word: String = line.chars().skip(range.start).take(range.len()).collect();
+            // GO TO may have any blanks in it.
+            word.split_whitespace()
+                .collect::<Vec<&str>>()
+                .join(" ")
+                .to_uppercase()
+        })
+    });
+    words.collect()
+}
+
+/// How a scenario ends with controllers that lack a word.
+fn outcome_without(word: &str, kind: &Kind, name: &str) -> Outcome {
+    let bench = format!("bench {}", kind.id);
+    let text: String = conformance::text(name)
+        .lines()
+        .map(|line| match line.strip_prefix(&bench) {
+            Some(rest) if rest.is_empty() || rest.starts_with(' ') => {
+                format!("{line} without=\"{word}\"\n")
+            }
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    conformance::run_text(name, &text).outcome
+}
+
+/// The scenarios of a controller, the shortest first, with their words. One that fails anyhow holds nothing.
+fn scenarios(kind: &Kind) -> BTreeMap<(usize, &'static str), BTreeSet<String>> {
+    let folder = format!("{}/", kind.id);
+    let names = conformance::scenarios().filter(|name| name.starts_with(&folder));
+    let sound = names.filter(|name| !conformance::text(name).contains("\nknown-failure "));
+    sound
+        .map(|name| ((conformance::text(name).len(), name), words(kind, name)))
+        .collect()
+}
+
+/// What is wrong with how a word is covered.
+fn gaps(
+    kind: &Kind,
+    word: &str,
+    scenarios: &BTreeMap<(usize, &'static str), BTreeSet<String>>,
+) -> Vec<String> {
+    let upper = word.to_uppercase();
+    let users = scenarios.iter().filter(|(_, words)| words.contains(&upper));
+    // Those that are named after it are about it, all of them.
+    let stem = format!("{}/keyword-{upper}", kind.id);
+    let (own, others): (Vec<&str>, Vec<&str>) =
+        users.map(|((_, name), _)| name).partition(|name| {
+            name.strip_prefix(&stem)
+                .is_some_and(|rest| rest.starts_with(['.', '-']))
+        });
+    let fails = |name: &&str| outcome_without(word, kind, name) == Outcome::Failed;
+    let mut gaps: Vec<String> = own
+        .iter()
+        .filter(|name| !fails(name))
+        .map(|name| format!("{name} does not notice that {word} is missing"))
+        .collect();
+    if own.is_empty() && !others.iter().any(fails) {
+        gaps.push(match others.len() {
+            0 => format!("no scenario uses {word}"),
+            count => format!("{count} scenarios use {word}, and none notices that it is missing"),
+        });
+    }
+    gaps
+}
+
+/// Checks every word that the table does not call absent.
+fn check(kind: &Kind) {
+    let scenarios = scenarios(kind);
+    let rows = (kind.keywords)();
+    let supported = rows
+        .iter()
+        .filter(|row| !matches!(row.support, Support::Absent(_)));
+    let words = Mutex::new(supported.map(|row| row.word));
+    let found = Mutex::new(Vec::new());
+    let next = || words.lock().unwrap().next();
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(word) = next() {
+                    let gaps = gaps(kind, word, &scenarios);
+                    found.lock().unwrap().extend(gaps);
+                }
+            });
+        }
+    });
+    let mut found = found.into_inner().unwrap();
+    found.sort();
+    assert!(found.is_empty(), "\n{}", found.join("\n"));
+}
+
+#[test]
+fn scenarios_fail_without_their_word() {
+    catalog::KINDS.iter().for_each(check);
+}
+
+/// The test above would notice.
+#[test]
+fn only_a_word_that_is_used_is_missed() {
+    let kind = catalog::kind("mc600").unwrap();
+    let name = "mc600/keyword-GOTO.scenario";
+    for (word, outcome) in [
+        ("GOTO", Outcome::Failed),
+        ("PRINT", Outcome::Failed),
+        ("DATA", Outcome::Held),
+        ("gv_in3%", Outcome::Held),
+    ] {
+        assert_eq!(outcome_without(word, kind, name), outcome, "{word}");
+    }
+    let none = BTreeMap::from([((1, name), BTreeSet::new())]);
+    assert_eq!(gaps(kind, "GOTO", &none), ["no scenario uses GOTO"]);
+    let idle = BTreeMap::from([((1, name), BTreeSet::from(["DATA".to_owned()]))]);
+    assert_eq!(
+        gaps(kind, "DATA", &idle),
+        ["1 scenarios use DATA, and none notices that it is missing"]
+    );
+}
