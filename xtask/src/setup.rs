@@ -50,7 +50,7 @@ impl Need {
                 "the wasm-bindgen tools in target/tools (2 minutes the first time)",
                 bindgen,
             ),
-            Self::Trunk => ("Trunk in target/tools (7 minutes the first time)", trunk),
+            Self::Trunk => ("Trunk in target/tools (3 minutes the first time)", trunk),
             Self::Node => ("the packages of package-lock.json in node_modules", node),
             Self::Browser => ("a Chromium or Chrome and its driver", browser::provide),
         };
@@ -100,7 +100,7 @@ fn bindgen() -> Result<()> {
         println!("  wasm-bindgen {WASM_BINDGEN} is there");
         return Ok(());
     }
-    cargo_install(&["--path", "tools/wasm-bindgen"])
+    cargo_install(&["--path", "tools/wasm-bindgen"], &[])
 }
 
 fn trunk() -> Result<()> {
@@ -108,19 +108,24 @@ fn trunk() -> Result<()> {
         println!("  trunk {TRUNK} is there");
         return Ok(());
     }
-    // Its default features are an update check and TLS; the page is served on loopback.
-    cargo_install(&["trunk", "--version", TRUNK, "--no-default-features"])
+    // Its default features are an update check and TLS; the page is served on loopback. It only
+    // directs other programs: optimising it takes 5 minutes and gains nothing.
+    cargo_install(
+        &["trunk", "--version", TRUNK, "--no-default-features"],
+        &[("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0")],
+    )
 }
 
 fn version_of(tool: &str) -> Option<String> {
     shell::probe(shell::tools().join("bin").join(tool), &["--version"])
 }
 
-fn cargo_install(what: &[&str]) -> Result<()> {
+fn cargo_install(what: &[&str], settings: &[(&str, &str)]) -> Result<()> {
     let options = ["install", "--locked", "--force", "--root", "target/tools"];
     let mut command = shell::cargo(&[&options[..], what].concat());
     // A folder of its own: the project's builds neither wait for it nor are invalidated.
     command.env("CARGO_TARGET_DIR", shell::tools().join("build"));
+    command.envs(settings.iter().copied());
     shell::run(command)
 }
 
