@@ -513,12 +513,21 @@ fn endless_scenarios_end() {
     fails(
         "run 1s\nrun 1440min",
         4,
-        "a scenario simulates at most a day",
+        "a scenario simulates at most 86400 s",
     );
     fails(
         "repeat 1000000\nrepeat 1000000\nexpect exactly \"\"\nend\nend",
         5,
         "a scenario executes at most 10000000 statements",
+    );
+}
+
+#[test]
+fn the_schedule_is_bounded() {
+    fails(
+        "repeat 10001\nat 1s check x.position = 0\nend",
+        4,
+        "at most 10000 statements wait for their time",
     );
 }
 

@@ -5,6 +5,7 @@ use crate::controller::{RunState, Status, Value};
 use crate::exec::Wait;
 use crate::time::Nanos;
 
+use super::MOST_OUTPUT;
 use super::condition::Condition;
 use super::console::{Reader, find};
 use super::report::Digest;
@@ -12,10 +13,9 @@ use super::run::{Failure, Runner};
 use super::statement::Statement;
 use super::text::show_time;
 use super::watch::{Fold, Source};
-use super::{LONGEST, MOST_OUTPUT};
 
 /// Checkpoints that are kept, whatever `rewind` needs.
-const MOST_CHECKPOINTS: usize = 1024;
+const MOST_CHECKPOINTS: usize = 256;
 
 /// Everything that `rewind` takes back, but for what is only cut off: the consoles' output.
 #[derive(Debug, Clone)]
@@ -91,9 +91,15 @@ impl<'a> State<'a> {
     }
 
     /// Puts something on the schedule.
-    pub(super) fn schedule(&mut self, at: Nanos, what: Scheduled<'a>) {
+    pub(super) fn schedule(&mut self, at: Nanos, what: Scheduled<'a>) -> Result<(), String> {
+        if self.schedule.len() >= MOST_SCHEDULED {
+            return Err(format!(
+                "at most {MOST_SCHEDULED} statements wait for their time"
+            ));
+        }
         let place = self.schedule.partition_point(|&(other, _)| other <= at);
         self.schedule.insert(place, (at, what));
+        Ok(())
     }
 }
 
@@ -148,8 +154,9 @@ impl<'a> Runner<'a> {
     /// Lets `time` pass, or less if the goal is reached; tells whether it was.
     pub(super) fn advance(&mut self, time: Nanos, goal: &mut Goal<'_>) -> Result<bool, Failure> {
         let until = self.state.bench.now() + time;
-        if until > LONGEST {
-            return Err("a scenario simulates at most a day".to_owned().into());
+        let most = self.limits.simulated;
+        if until > most {
+            return Err(format!("a scenario simulates at most {}", show_time(most)).into());
         }
         if self.reached(goal, false) {
             return Ok(true);

@@ -3,6 +3,9 @@
 
 use std::collections::VecDeque;
 
+/// Typed lines that are remembered; a reply needs the last, and those before it only where they look alike.
+const MOST_TYPED: usize = 1000;
+
 /// How far the output of one host line has been read. The output itself is kept outside, so that a checkpoint is small.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Reader {
@@ -32,6 +35,9 @@ impl Reader {
 
     /// Notes a typed line.
     pub(super) fn typed(&mut self, text: &[u8], output: &[u8]) {
+        if self.typed.len() >= MOST_TYPED {
+            self.typed.pop_front();
+        }
         self.typed.push_back(Typed {
             text: text.to_vec(),
             earliest: output.len(),

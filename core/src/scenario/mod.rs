@@ -31,18 +31,20 @@ use statement::Statement;
 
 /// Time that a statement that waits has without `within`.
 const WITHIN: Nanos = Nanos::from_millis(10_000);
-/// The longest time that a statement may name and a scenario may simulate: a day.
+/// The longest time that a statement may name and, unless told, a scenario may simulate: a day.
 const LONGEST: Nanos = Nanos::from_millis(86_400_000);
 /// Bytes of a scenario.
 const MOST_TEXT: usize = 4 << 20;
 /// Times that a block may be repeated.
 const MOST_REPEATS: u32 = 1_000_000;
-/// Statements that a run may execute.
+/// Statements that a run may execute, unless told.
 const MOST_EXECUTED: u64 = 10_000_000;
 /// Controllers on the bench.
 const MOST_STATIONS: usize = 64;
-/// Bytes that one console may have sent.
+/// Bytes that one console may have sent, and that `file get` may take.
 const MOST_OUTPUT: usize = 16 << 20;
+/// Statements that may wait for their time.
+const MOST_SCHEDULED: usize = 10_000;
 
 /// A scenario, ready to run any number of times.
 #[derive(Debug, Clone, Default)]
@@ -85,6 +87,24 @@ pub struct Problem {
     pub message: String,
 }
 
+/// How far a run may go; what goes further has failed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Simulated time: a day if not told.
+    pub simulated: Nanos,
+    /// Executed statements, those in `repeat` each time: ten million if not told.
+    pub executed: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits {
+            simulated: LONGEST,
+            executed: MOST_EXECUTED,
+        }
+    }
+}
+
 /// Reads a file that a scenario mentions, by the name that it gives, relative to the scenario.
 ///
 /// # Errors
@@ -102,14 +122,19 @@ impl Scenario {
 
     /// Runs it on a bench of its own.
     pub fn run(&self, read: &mut ReadFile<'_>) -> Report {
-        run::run(self, read)
+        self.run_within(Limits::default(), read)
+    }
+
+    /// As [`Scenario::run`], but not as far.
+    pub fn run_within(&self, limits: Limits, read: &mut ReadFile<'_>) -> Report {
+        run::run(self, limits, read)
     }
 }
 
-/// A program file as text: UTF-8 where it is that, otherwise a character for a byte.
+/// A program file as text: UTF-8 where it is that (less a byte-order mark), otherwise a character for a byte.
 pub fn program_text(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {
-        Ok(text) => text.to_owned(),
+        Ok(text) => text.strip_prefix('\u{feff}').unwrap_or(text).to_owned(),
         Err(_) => latin1::text(bytes),
     }
 }

@@ -12,11 +12,11 @@ use super::report::{Outcome, Report};
 use super::statement::{Action, LineSetting, Statement};
 use super::text::{show, show_time};
 use super::watch::Source;
-use super::{MOST_EXECUTED, ReadFile, Scenario};
+use super::{Limits, ReadFile, Scenario};
 
-/// Runs a scenario; see [`Scenario::run`].
-pub(super) fn run(scenario: &Scenario, read: &mut ReadFile<'_>) -> Report {
-    let mut runner = Runner::new(scenario);
+/// Runs a scenario; see [`Scenario::run_within`].
+pub(super) fn run(scenario: &Scenario, limits: Limits, read: &mut ReadFile<'_>) -> Report {
+    let mut runner = Runner::new(scenario, limits);
     let mut outcome = Outcome::Unusable;
     let mut ended = runner.read_files(&scenario.statements, read);
     if ended.is_ok() {
@@ -77,6 +77,7 @@ pub(super) type Done = Result<(), Failure>;
 /// A scenario that is running.
 pub(super) struct Runner<'a> {
     pub(super) scenario: &'a Scenario,
+    pub(super) limits: Limits,
     /// What it mentions, by name.
     pub(super) files: BTreeMap<&'a str, Vec<u8>>,
     pub(super) state: State<'a>,
@@ -94,9 +95,10 @@ pub(super) struct Runner<'a> {
 }
 
 impl<'a> Runner<'a> {
-    fn new(scenario: &'a Scenario) -> Runner<'a> {
+    fn new(scenario: &'a Scenario, limits: Limits) -> Runner<'a> {
         Runner {
             scenario,
+            limits,
             files: BTreeMap::new(),
             state: State::new(scenario.watches.len()),
             probe: Probe::default(),
@@ -134,8 +136,9 @@ impl<'a> Runner<'a> {
     fn execute(&mut self, statements: &'a [Statement]) -> Done {
         for statement in statements {
             self.executed += 1;
-            let done = if self.executed > MOST_EXECUTED {
-                let message = format!("a scenario executes at most {MOST_EXECUTED} statements");
+            let most = self.limits.executed;
+            let done = if self.executed > most {
+                let message = format!("a scenario executes at most {most} statements");
                 Err(message.into())
             } else {
                 self.act(statement)

@@ -7,11 +7,11 @@ use crate::time::Nanos;
 
 use super::advance::{Goal, Scheduled};
 use super::condition::{Condition, show_value};
-use super::program_text;
 use super::run::{Done, Failure, Runner};
 use super::statement::Statement;
 use super::text::{show, show_time};
 use super::watch::{Fold, Source};
+use super::{MOST_OUTPUT, program_text};
 
 impl<'a> Runner<'a> {
     pub(super) fn axis(
@@ -49,6 +49,13 @@ impl<'a> Runner<'a> {
     pub(super) fn file_get(&mut self, station: usize, name: &str, file: &str) -> Done {
         let text = self.listing(station, name)?;
         let text = text.ok_or_else(|| format!("there is no file {name}"))?;
+        self.taken.retain(|(other, _)| other != file);
+        let taken: usize = self.taken.iter().map(|(_, bytes)| bytes.len()).sum();
+        if taken + text.len() > MOST_OUTPUT {
+            return Err("more is taken from the devices than a scenario keeps"
+                .to_owned()
+                .into());
+        }
         self.taken.push((file.to_owned(), latin1::bytes(&text)));
         Ok(())
     }
@@ -151,9 +158,8 @@ impl<'a> Runner<'a> {
     pub(super) fn hold(&mut self, station: usize, key: &'a str, time: Nanos) -> Done {
         self.key(station, key, true)?;
         let until = self.state.bench.now() + time;
-        self.state
-            .schedule(until, Scheduled::Release { station, key });
-        Ok(())
+        let release = Scheduled::Release { station, key };
+        self.state.schedule(until, release).map_err(Failure::from)
     }
 
     pub(super) fn wire(&mut self, station: usize, name: &str, value: f64) -> Done {
@@ -187,9 +193,10 @@ impl<'a> Runner<'a> {
             let now = show_time(now.since(on));
             return Err(format!("{} is over: it is {now}", show_time(time)).into());
         }
+        let statement = Scheduled::Statement(statement);
         self.state
-            .schedule(on + time, Scheduled::Statement(statement));
-        Ok(())
+            .schedule(on + time, statement)
+            .map_err(Failure::from)
     }
 
     pub(super) fn check(&mut self, station: usize, condition: &Condition) -> Done {
