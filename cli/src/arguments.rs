@@ -15,7 +15,6 @@ Examples:
   motionbench scenario tests/*.scenario            run scenarios; exit code 0 if everything held
   motionbench check mc600 move.bas                 say what is wrong with a program
 
-CONTROLLER is mc600 (Danaher MC-600, MotionBasic).
 Exit codes: 0 all is well; 1 something did not hold or was found; 2 the arguments or files cannot
 be used; 3 the controller's program ended with an error.";
 
@@ -23,7 +22,7 @@ be used; 3 the controller's program ended with an error.";
 ///
 /// Time is simulated and passes as fast as this machine allows; the results do not depend on it.
 #[derive(Debug, Parser)]
-#[command(name = "motionbench", version, after_help = EXAMPLES)]
+#[command(name = "motionbench", version, after_help = with_controllers(EXAMPLES))]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -93,7 +92,7 @@ Exit codes: 0 everything held; 1 something did not; 2 a file is missing or is no
 /// Without --type, standard input is the console: a terminal key by key (Ctrl-C goes to the controller, Ctrl-D leaves), a
 /// pipe line by line, whenever the controller waits for one.
 #[derive(Debug, Args)]
-#[command(after_help = RUN_EXAMPLES)]
+#[command(after_help = with_controllers(RUN_EXAMPLES))]
 pub(crate) struct RunArguments {
     /// The kind of controller
     #[arg(value_parser = kind)]
@@ -132,9 +131,20 @@ Examples:
   printf 'A=5\\nPRINT A*A\\n' | motionbench run mc600
   motionbench run mc600 loop.bas --for 10s --option speed=fast
 
-Options of mc600: speed=authentic|fast|1..10000, locked=yes|no, alias=NAME, password=WORD.
 Exit codes: 0 the run ended; 1 it did not end within ten minutes of simulated time, or waits for input
 that does not come; 2 the arguments or files cannot be used; 3 the program ended with an error.";
+
+/// The controllers and their options, behind `text`.
+fn with_controllers(text: &str) -> String {
+    let mut text = format!("{text}\n\nControllers, and what --option and a scenario's `bench` line can give them:");
+    for kind in catalog::KINDS {
+        text.push_str(&format!("\n  {}  {}", kind.id, kind.name));
+        for option in kind.options {
+            text.push_str(&format!("\n    {}=  {}", option.key, option.help));
+        }
+    }
+    text
+}
 
 fn kind(id: &str) -> Result<&'static Kind, String> {
     let known: Vec<&str> = catalog::KINDS.iter().map(|kind| kind.id).collect();

@@ -33,7 +33,7 @@ fn severity(severity: Severity) -> &'static str {
 
 fn line(path: &Path, found: &Diagnostic) -> String {
     format!(
-        "{}:{}:{}: {}: {} ({})\n",
+        "{}:{}:{}: {}: {}: {}\n",
         path.display(),
         u64::from(found.line) + 1,
         u64::from(found.span.start) + 1,

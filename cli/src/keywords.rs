@@ -39,16 +39,16 @@ fn to_json(row: &KeywordRow) -> Value {
 
 /// In columns, the widest texts last.
 fn table(rows: &[&KeywordRow]) -> String {
-    let heading = ["word", "kind", "syntax", "support", "what it does [section of the manual]"];
+    let heading = ["word", "kind", "support", "syntax", "what it does [section of the manual]"];
     let mut lines = vec![heading.map(str::to_owned)];
     lines.extend(rows.iter().map(|row| {
-        [
-            row.word.to_owned(),
-            row.kind.to_owned(),
-            row.syntax.to_owned(),
-            support(row.support),
-            format!("{} [{}]", row.summary, row.section.0),
-        ]
+        let (support, why) = match row.support {
+            Support::Full => ("full", String::new()),
+            Support::Partial(why) => ("partial", format!(" Partial: {why}")),
+            Support::Absent(why) => ("absent", format!(" Absent: {why}")),
+        };
+        let what = format!("{} [{}]{why}", row.summary, row.section.0);
+        [row.word, row.kind, support, row.syntax, &what].map(str::to_owned)
     }));
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max();
     let widths: Vec<usize> = (0..heading.len()).map(|c| width(c).unwrap_or(0)).collect();

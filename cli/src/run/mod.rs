@@ -33,6 +33,9 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<u8, String> {
     let batch = !arguments.typed.is_empty();
     let source = if batch { Source::Nothing } else { Source::standard_input()? };
     let ended = session.run(source, arguments.program.is_none() && !batch)?;
+    if record && let Some(first) = session.lost() {
+        eprintln!("the record is full: it starts at {} s", first.seconds());
+    }
     if let Some(path) = &arguments.csv {
         files::write(path, table::csv(session.info(), session.trace()).as_bytes())?;
     }

@@ -89,6 +89,12 @@ impl Session {
         self.probe.traces.get(ONE)
     }
 
+    /// When the record starts, if it does not reach back to the start.
+    pub(super) fn lost(&self) -> Option<Nanos> {
+        let (first, _) = self.trace()?.span()?;
+        (first > self.info.sample).then_some(first)
+    }
+
     /// Turns the mains switch on and waits for the first prompt.
     pub(super) fn power_on(&mut self) -> Result<(), String> {
         self.bench.power(ONE, true);

@@ -5,7 +5,7 @@ use crate::controller::{RunState, Status, Value};
 use crate::exec::Wait;
 use crate::time::Nanos;
 
-use super::MOST_OUTPUT;
+use super::{MOST_OUTPUT, MOST_SCHEDULED};
 use super::condition::Condition;
 use super::console::{Reader, find};
 use super::report::Digest;
