@@ -5,7 +5,6 @@ use crate::controller::{RunState, Status, Value};
 use crate::exec::Wait;
 use crate::time::Nanos;
 
-use super::{MOST_OUTPUT, MOST_SCHEDULED};
 use super::condition::Condition;
 use super::console::{Reader, find};
 use super::report::Digest;
@@ -13,6 +12,7 @@ use super::run::{Failure, Runner};
 use super::statement::Statement;
 use super::text::show_time;
 use super::watch::{Fold, Source};
+use super::{MOST_OUTPUT, MOST_SCHEDULED};
 
 /// Checkpoints that are kept, whatever `rewind` needs.
 const MOST_CHECKPOINTS: usize = 256;
