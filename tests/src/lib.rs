@@ -1,4 +1,6 @@
 //! What the tests share.
 
 pub mod conformance;
+pub mod fuzz;
 pub mod programs;
+pub mod seeds;
