@@ -46,6 +46,21 @@ pub fn to_integer(value: f64) -> Result<i32, ErrorCode> {
     }
 }
 
+/// The floor within 32 bits as a number: what an integer variable takes (D6).
+///
+/// # Errors
+/// ILLEGAL QUANTITY outside.
+#[inline(always)]
+pub fn floor_in_range(value: f64) -> Result<f64, ErrorCode> {
+    // Adding and taking away 1.5 * 2^52 leaves only what is whole; quicker than converting there and back.
+    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    if (value + WHOLE) - WHOLE == value && value.abs() < 2_147_483_648.0 {
+        Ok(value)
+    } else {
+        floor_to_integer(value).map(f64::from)
+    }
+}
+
 #[cold]
 #[inline(never)]
 #[allow(clippy::cast_possible_truncation)] // checked just before
@@ -108,6 +123,30 @@ mod tests {
         assert_eq!(to_integer(2_147_483_647.9), Ok(i32::MAX));
         assert_eq!(to_integer(2_147_483_648.0), Err(ErrorCode::IllegalQuantity));
         assert_eq!(to_integer(-2_147_483_648.0), Ok(i32::MIN));
+        for value in [
+            0.0,
+            -0.0,
+            0.5,
+            -0.5,
+            2.9,
+            -2.1,
+            2e9,
+            -2e9,
+            2_147_483_647.0,
+            2_147_483_647.9,
+            2_147_483_648.0,
+            -2_147_483_648.0,
+            -2_147_483_648.5,
+            1e300,
+            -1e300,
+            4_503_599_627_370_496.0,
+        ] {
+            assert_eq!(
+                floor_in_range(value),
+                to_integer(value).map(f64::from),
+                "{value}"
+            );
+        }
         assert_eq!(
             to_integer(-2_147_483_648.5),
             Err(ErrorCode::IllegalQuantity)

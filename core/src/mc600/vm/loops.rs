@@ -2,7 +2,7 @@
 
 use super::super::code::{ANY, Code, Op};
 use super::super::firmware::{ErrorCode, FOR_LEVELS, GOSUB_LEVELS};
-use super::super::value::{in_range, to_integer};
+use super::super::value::{floor_in_range, in_range};
 use super::Vm;
 
 /// A loop or a call that is open.
@@ -52,7 +52,7 @@ impl Vm {
             }) if variable == innermost || variable == ANY => {
                 let mut value = in_range(self.register(innermost) + step)?;
                 if integer {
-                    value = f64::from(to_integer(value)?);
+                    value = floor_in_range(value)?;
                 }
                 self.set_register(innermost, value);
                 let done = if step >= 0.0 {

@@ -149,18 +149,17 @@ impl Vm {
     }
 
     /// The value of a register.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // registers are a power of two, and the index is masked
     pub fn register(&self, register: u16) -> f64 {
-        self.registers
-            .get(usize::from(register))
-            .copied()
-            .unwrap_or_default()
+        self.registers[usize::from(register) & (REGISTERS - 1)]
     }
 
     /// Sets a register.
+    #[inline(always)]
+    #[allow(clippy::indexing_slicing)] // as above
     pub fn set_register(&mut self, register: u16, value: f64) {
-        if let Some(place) = self.registers.get_mut(usize::from(register)) {
-            *place = value;
-        }
+        self.registers[usize::from(register) & (REGISTERS - 1)] = value;
     }
 
     /// Sets a string.

@@ -3,7 +3,7 @@
 use super::super::ast::Function;
 use super::super::code::{Code, Exit, Op, REGISTERS, SystemCall};
 use super::super::firmware::{COST_UNIT, ErrorCode};
-use super::super::value::{in_range, is_integer, to_integer};
+use super::super::value::{floor_in_range, in_range, is_integer, to_integer};
 use super::super::{functions, motion_calls};
 use super::{Vm, World};
 use crate::exec::{Credit, Wait};
@@ -96,6 +96,17 @@ impl Vm {
                     }
                 }};
             }
+            macro_rules! whole {
+                ($value:expr) => {{
+                    match floor_in_range($value) {
+                        Ok(value) => register!(r, op.c) = value,
+                        Err(error) => {
+                            (self.pc, *left) = (pc, credit);
+                            return self.fail(error);
+                        }
+                    }
+                }};
+            }
             macro_rules! integers {
                 ($operation:expr) => {{
                     let (a, b) = (
@@ -125,20 +136,8 @@ impl Vm {
                 }
                 Code::Negate => register!(r, op.c) = -register!(r, op.a),
                 Code::Move => register!(r, op.c) = register!(r, op.a),
-                Code::ToInteger | Code::AddInteger => {
-                    let addend = if op.code == Code::AddInteger {
-                        register!(r, op.b)
-                    } else {
-                        0.0
-                    };
-                    match to_integer(register!(r, op.a) + addend) {
-                        Ok(value) => register!(r, op.c) = f64::from(value),
-                        Err(error) => {
-                            (self.pc, *left) = (pc, credit);
-                            return self.fail(error);
-                        }
-                    }
-                }
+                Code::ToInteger => whole!(register!(r, op.a)),
+                Code::AddInteger => whole!(register!(r, op.a) + register!(r, op.b)),
                 Code::Equal => register!(r, op.c) = truth(register!(r, op.a) == register!(r, op.b)),
                 Code::NotEqual => {
                     register!(r, op.c) = truth(register!(r, op.a) != register!(r, op.b))
@@ -164,6 +163,14 @@ impl Vm {
                 Code::Next => {
                     (self.pc, *left) = (pc, credit);
                     pc = attempt!(self.next(op.a, pc));
+                }
+                Code::Gosub => {
+                    (self.pc, *left) = (pc, credit);
+                    pc = attempt!(self.gosub(op.target(), pc));
+                }
+                Code::Return => {
+                    (self.pc, *left) = (pc, credit);
+                    pc = attempt!(self.give_back());
                 }
                 Code::Index1 => {
                     let at = register!(r, op.b);
@@ -226,8 +233,6 @@ impl Vm {
     fn slow(&mut self, op: Op, ops: &[Op], world: &mut World) -> Result<Flow, ErrorCode> {
         match op.code {
             Code::For | Code::ForInteger => self.enter_loop(op)?,
-            Code::Gosub => return self.gosub(op.target(), self.pc).map(Flow::Jump),
-            Code::Return => return self.give_back().map(Flow::Jump),
             Code::On => return self.on(op, ops),
             Code::Raise => return Err(ErrorCode::from_number(op.a)),
             Code::End => return Ok(Flow::Again(Exit::End)),
