@@ -124,11 +124,6 @@ const TIMER_FILE: &str = "app/src/worker/mod.rs";
 
 /// Lines of a source file, "about 500".
 const LONGEST: usize = 520;
-/// Longer files and why they are.
-const LONG: [(&str, &str); 1] = [(
-    "tests/tests/runner.rs",
-    "a table of wrong scenarios with the message that each one gives",
-)];
 
 /// What breaks a rule, a sentence each.
 type Broken = Vec<String>;
@@ -242,14 +237,12 @@ fn time_is_simulated(source: &Source) -> Broken {
         .collect()
 }
 
-/// Files can be read in one go; a file that became shorter needs no excuse.
+/// Files can be read in one go.
 fn files_are_short(source: &Source) -> Broken {
     let lines = source.text.lines().count();
-    let excused = LONG.iter().any(|(name, _)| *name == source.name);
-    match (lines > LONGEST, excused) {
-        (true, false) => vec![format!("{} has {lines} lines", source.name)],
-        (false, true) => vec![format!("{} is short enough to need no excuse", source.name)],
-        _ => Broken::new(),
+    match lines > LONGEST {
+        true => vec![format!("{} has {lines} lines", source.name)],
+        false => Broken::new(),
     }
 }
 
@@ -479,7 +472,6 @@ fn broken_rules_are_noticed() {
         breaks(files_are_short, "core/src/bench.rs", &"\n".repeat(LONGEST)),
         0
     );
-    assert_eq!(breaks(files_are_short, LONG[0].0, "\n"), 1);
 
     let path = ["see /ho", "me/someone/notes"].concat();
     assert_eq!(breaks(no_machine_is_named, "README.md", &path), 1);
