@@ -59,6 +59,9 @@ pub fn mc600_console(data: &[u8]) {
     card.settle();
     card.bench.power(card.station, true);
     card.bench.set_line(card.line, LineSettings::new(9600));
+    // A receiver that is set right in the middle of a stream finds its step in the pause that Ctrl-C makes.
+    card.bench.send_urgent(card.line, CTRL_C);
+    card.run(100);
     card.interrupt();
     if locked == "yes" {
         card.answer(b"PASSWORD");

@@ -24,6 +24,11 @@ fn texts_that_are_no_scenario() {
             "no controller is on the bench yet: a `bench` line comes first",
         ),
         (
+            "bench mc600\r\nprogram\r\n10 END\r20 END\r\nend",
+            3,
+            "a carriage return stands in the middle of the line",
+        ),
+        (
             "\n# a comment\nfrobnicate",
             3,
             "`frobnicate` is not a statement",

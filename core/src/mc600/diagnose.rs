@@ -92,13 +92,18 @@ impl Findings {
         }
         let parsed = parse_line(&bytes);
         let number = self.number(index, &bytes, &parsed);
-        if self.strangers(index, line) {
-            return;
-        }
-        self.statements(index, &parsed.statements);
+        let strange = self.strangers(index, line);
         if let Some(number) = number {
             let body = parsed.body;
-            self.places.insert(number, Place { line: index, body });
+            let place = Place { line: index, body };
+            match strange {
+                // It has replaced a line of the same number.
+                true => self.places.remove(&number),
+                false => self.places.insert(number, place),
+            };
+        }
+        if !strange {
+            self.statements(index, &parsed.statements);
         }
     }
 

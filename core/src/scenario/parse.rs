@@ -25,6 +25,13 @@ pub(super) fn parse(text: &str) -> Result<Scenario, Problem> {
             message: format!("a scenario has at most {MOST_TEXT} bytes"),
         });
     }
+    // Program text is counted in lines, too, and devices end theirs with it.
+    if let Some(index) = text.lines().position(|line| line.contains('\r')) {
+        return Err(Problem {
+            line: u32::try_from(index + 1).unwrap_or(u32::MAX),
+            message: "a carriage return stands in the middle of the line".to_owned(),
+        });
+    }
     let mut parser = Parser {
         lines: text.lines().enumerate(),
         line: 1,

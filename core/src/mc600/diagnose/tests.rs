@@ -155,6 +155,27 @@ fn what_the_device_cannot_hold_is_shown() {
 }
 
 #[test]
+fn what_replaces_a_line_is_not_told_at_its_old_place() {
+    check(
+        "10 GOTO 10\n10 MSETSB(1): \u{2126}",
+        &[
+            (
+                1,
+                "LINE 10 TWICE",
+                "Line 10 stands here a second time: this one replaces the first.",
+                None,
+            ),
+            (
+                1,
+                "?SYNTAX ERROR",
+                "The device has no character \u{2126}.",
+                Some("10 MSETSB(1): ?"),
+            ),
+        ],
+    );
+}
+
+#[test]
 fn spans_are_counted_in_characters() {
     let [found] = &diagnose("10 PRINT \"\u{e9}\u{e9}\": X=(")[..] else {
         unreachable!();
