@@ -32,9 +32,10 @@ pub trait Controller {
     fn load(&mut self, slot: &Slot, text: &str) -> Result<Revision, LoadError>;
     /// What stands in a slot; `None` where there is no such thing.
     fn listing(&self, slot: &Slot) -> Option<String>;
-    /// What survives the mains switch, as the device's own items.
-    fn memory(&self) -> Memory;
-    /// Puts back what [`Controller::memory`] gave; items it does not know are kept and given again.
+    /// What survives, as the device's own items.
+    fn memory(&self, event: Survives) -> Memory;
+    /// Puts back what [`Controller::memory`] gave, files and all; items it does not know are kept and given again.
+    /// What the mains switch clears must be put back after it is turned on.
     fn restore(&mut self, memory: &Memory);
 }
 
@@ -279,7 +280,16 @@ pub enum Value {
     Text(String),
 }
 
-/// What survives the mains switch.
+/// What memory has to survive.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Survives {
+    /// The mains switch: only non-volatile memory.
+    MainsSwitch,
+    /// A reload of the page around a device that stays on: also programs and files in RAM.
+    Reload,
+}
+
+/// What a device holds that can be put back.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct Memory {
     /// Of the items below; an unknown one is kept untouched.

@@ -119,6 +119,11 @@ impl Disks {
         Ok(text)
     }
 
+    /// The files of A:, which the mains switch clears.
+    pub fn lost(&self) -> impl Iterator<Item = (&str, &Rc<[u8]>)> {
+        self.a.iter()
+    }
+
     /// The files of B:, which survive the mains switch.
     pub fn kept(&self) -> impl Iterator<Item = (&str, &Rc<[u8]>)> {
         self.b.iter()

@@ -5,13 +5,13 @@ use super::commands::device_line;
 use super::disks::FileName;
 use super::firmware::SAMPLE;
 use super::machine::Machine;
-use super::program::Program;
+use super::program::{Program, STORED_LENGTH};
 use super::sysvars::SysVar;
 use super::value::Text;
 use super::{FACTORY_PASSWORD, Mc600, Mode};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
-    Refused, Revision, RunState, Signal, Slot, Status, Value,
+    Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
 };
 use crate::language::latin1;
 use crate::serial::LineSettings;
@@ -20,6 +20,8 @@ use crate::time::Nanos;
 /// The version of the items below.
 const MEMORY_VERSION: u32 = 1;
 const PASSWORD_ITEM: &str = "PASSWORD";
+/// The program in RAM.
+const PROGRAM_ITEM: &str = "PROGRAM";
 
 /// What an MC-600 is and what it has.
 pub(super) fn info() -> ControllerInfo {
@@ -243,20 +245,28 @@ impl Controller for Mc600 {
         }
     }
 
-    fn memory(&self) -> Memory {
+    fn memory(&self, event: Survives) -> Memory {
+        let item = |name: String, bytes: &[u8]| MemoryItem {
+            name,
+            bytes: bytes.to_vec(),
+        };
         let mut items: Vec<MemoryItem> = self
             .disks
             .kept()
-            .map(|(name, bytes)| MemoryItem {
-                name: format!("B:{name}"),
-                bytes: bytes.to_vec(),
-            })
+            .map(|(name, bytes)| item(format!("B:{name}"), bytes))
             .collect();
         if self.password != FACTORY_PASSWORD {
-            items.push(MemoryItem {
-                name: PASSWORD_ITEM.to_owned(),
-                bytes: latin1::bytes(&self.password),
-            });
+            items.push(item(
+                PASSWORD_ITEM.to_owned(),
+                &latin1::bytes(&self.password),
+            ));
+        }
+        if event == Survives::Reload {
+            let lost = self.disks.lost();
+            items.extend(lost.map(|(name, bytes)| item(format!("A:{name}"), bytes)));
+            if !self.program.is_empty() {
+                items.push(item(PROGRAM_ITEM.to_owned(), &self.program.to_text()));
+            }
         }
         items.extend(self.unknown.iter().cloned());
         Memory {
@@ -268,18 +278,7 @@ impl Controller for Mc600 {
     fn restore(&mut self, memory: &Memory) {
         self.unknown.clear();
         for item in &memory.items {
-            let file = FileName::parse(item.name.as_bytes());
-            let taken = match (memory.version, item.name.as_str(), file) {
-                (MEMORY_VERSION, PASSWORD_ITEM, _) => {
-                    self.password = latin1::text(&item.bytes);
-                    true
-                }
-                (MEMORY_VERSION, name, Ok(file)) if name.starts_with("B:") => {
-                    self.disks.write(&file, &item.bytes).is_ok()
-                }
-                _ => false,
-            };
-            if !taken {
+            if memory.version != MEMORY_VERSION || !self.restore_item(item) {
                 self.unknown.push(item.clone());
             }
         }
@@ -318,6 +317,28 @@ fn named(text: &str) -> Option<Named> {
 }
 
 impl Mc600 {
+    /// Puts back one item; whether it is one that this version knows.
+    fn restore_item(&mut self, item: &MemoryItem) -> bool {
+        match item.name.as_str() {
+            PASSWORD_ITEM => {
+                self.password = latin1::text(&item.bytes);
+                true
+            }
+            PROGRAM_ITEM => match Program::from_text(&item.bytes, STORED_LENGTH) {
+                Ok(program) => {
+                    self.replace_program(program);
+                    true
+                }
+                Err(_) => false,
+            },
+            // Only disks have a colon in their names.
+            name if name.contains(':') => FileName::parse(name.as_bytes())
+                .and_then(|file| self.disks.write(&file, &item.bytes))
+                .is_ok(),
+            _ => false,
+        }
+    }
+
     fn read(&self, text: &str) -> Option<Value> {
         if let Some(value) = self.read_machine(text) {
             return Some(Value::Number(value));
