@@ -1,22 +1,10 @@
 //! The page, and the worker that owns the bench.
+//!
+//! In reading order: [`protocol`] is what the two say to each other, [`worker`] runs the bench, [`client`] is the
+//! page's end of the wire, [`state`] is what the page knows, [`panels`] draw it.
 
-use gloo_worker::{HandlerId, Worker, WorkerScope};
-
-/// Owns the bench.
-pub struct Engine;
-
-impl Worker for Engine {
-    type Message = ();
-    type Input = String;
-    type Output = String;
-
-    fn create(_: &WorkerScope<Self>) -> Self {
-        Self
-    }
-
-    fn update(&mut self, _: &WorkerScope<Self>, _: Self::Message) {}
-
-    fn received(&mut self, scope: &WorkerScope<Self>, input: Self::Input, id: HandlerId) {
-        scope.respond(id, input);
-    }
-}
+pub mod client;
+pub mod panels;
+pub mod protocol;
+pub mod state;
+pub mod worker;

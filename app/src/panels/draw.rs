@@ -1,0 +1,36 @@
+//! Drawing at the browser's pace.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use std::time::Duration;
+
+use leptos::prelude::{request_animation_frame, set_timeout};
+
+/// Returns a function that has `draw` called before the browser next paints: once, however often it is asked to.
+pub(super) fn before_paint(draw: impl Fn() + 'static) -> impl Fn() + Clone + 'static {
+    once(draw, request_animation_frame)
+}
+
+/// Returns a function that has `act` called after `wait`: once, however often it is asked to meanwhile.
+pub(super) fn after(wait: Duration, act: impl Fn() + 'static) -> impl Fn() + Clone + 'static {
+    once(act, move |call| set_timeout(call, wait))
+}
+
+fn once(
+    act: impl Fn() + 'static,
+    arrange: impl Fn(Box<dyn FnOnce()>) + Clone + 'static,
+) -> impl Fn() + Clone + 'static {
+    let asked = Rc::new(Cell::new(false));
+    let act = Rc::new(act);
+    move || {
+        if asked.replace(true) {
+            return;
+        }
+        let (asked, act) = (asked.clone(), act.clone());
+        arrange(Box::new(move || {
+            asked.set(false);
+            act();
+        }));
+    }
+}

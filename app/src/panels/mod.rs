@@ -1,0 +1,52 @@
+//! The page: draws the state, and says what the user does.
+
+// What Leptos makes of a component is public, whatever the component is.
+#![allow(unreachable_pub)]
+
+mod draw;
+mod room;
+mod scope;
+mod status;
+mod terminal;
+mod topbar;
+
+use leptos::prelude::*;
+
+use crate::state::Store;
+
+/// Puts the page into the document.
+pub fn mount() {
+    mount_to_body(|| {
+        let store = Store::start();
+        view! {
+            <topbar::TopBar store />
+            <Fault store />
+            <main class="workshop">
+                <terminal::Terminal store />
+                <scope::Scope store />
+            </main>
+            <terminal::Compose store />
+            <status::StatusLine store />
+        }
+    });
+}
+
+/// What has gone wrong with the page itself, and the cure.
+#[component]
+fn Fault(store: Store) -> impl IntoView {
+    let fault = Memo::new(move |_| store.device.with(|device| device.fault));
+    let reload = move |_| {
+        // A browser that refuses to reload leaves the page as it is.
+        let _ = window().location().reload();
+    };
+    move || {
+        fault.get().map(|fault| {
+            view! {
+                <div class="fault" role="alert">
+                    <p>{fault.words()}</p>
+                    <button type="button" class="button" on:click=reload>"Reload"</button>
+                </div>
+            }
+        })
+    }
+}

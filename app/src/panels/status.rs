@@ -1,0 +1,52 @@
+//! The status line: what is true now.
+
+use leptos::prelude::*;
+
+use crate::state::device::{Activity, line_words};
+use crate::state::{Device, Store, words};
+
+/// More than this many characters on their way to the controller are worth a word.
+const WORTH_TELLING: usize = 80;
+
+/// The status line.
+#[component]
+pub(super) fn StatusLine(store: Store) -> impl IntoView {
+    let memo = move |read: fn(&Device) -> String| Memo::new(move |_| store.device.with(read));
+    let activity = Memo::new(move |_| store.device.with(Device::activity));
+    let line = memo(|device| {
+        device
+            .running_line()
+            .map_or_else(String::new, |line| format!("line {line}"))
+    });
+    let error = memo(|device| device.error().unwrap_or_default().to_owned());
+    let time = memo(|device| words::time(device.now.seconds()));
+    let settings = memo(|device| device.line.as_ref().map_or_else(String::new, line_words));
+    let pending = memo(|device| match device.pending {
+        0..=WORTH_TELLING => String::new(),
+        many => format!(
+            "sending {} characters, Ctrl-C cancels",
+            words::number(many as f64, 0)
+        ),
+    });
+    let keyboard = move || {
+        if store.typing.get() {
+            "keyboard: terminal"
+        } else {
+            "keyboard: page"
+        }
+    };
+    view! {
+        <footer class="status" aria-label="Status">
+            <span class="activity" class:running=move || activity.get().is_running()
+                class:failed=move || activity.get() == Activity::Failed>
+                {move || activity.get().words()}
+            </span>
+            <span class="figures line">{line}</span>
+            <span class="error">{error}</span>
+            <span class="figures time">"t = "{time}</span>
+            <span class="figures settings">{settings}</span>
+            <span class="figures pending">{pending}</span>
+            <span class="keyboard">{keyboard}</span>
+        </footer>
+    }
+}

@@ -1,0 +1,208 @@
+//! The controller as the page last heard of it.
+
+use motionbench_core::controller::{RunState, Status};
+use motionbench_core::exec::Wait;
+use motionbench_core::serial::{LineSettings, Parity};
+use motionbench_core::time::Nanos;
+
+use super::{Fault, News};
+use crate::protocol::Speed;
+
+/// The controller and its simulator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Device {
+    /// Its name; empty until it is known.
+    pub name: String,
+    /// How its console is set.
+    pub line: Option<LineSettings>,
+    /// What it does; `None` until it is known.
+    pub status: Option<Status>,
+    /// Simulated time.
+    pub now: Nanos,
+    /// The simulation speed asked for.
+    pub speed: Speed,
+    /// Simulated seconds a second, lately.
+    pub reached: f64,
+    /// Characters that wait to be sent to it.
+    pub pending: usize,
+    /// Simulated time stands still.
+    pub frozen: bool,
+    /// Why there is no simulator any more.
+    pub fault: Option<Fault>,
+}
+
+/// What the program does, in one word and a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Activity {
+    Starting,
+    Off,
+    Idle,
+    Command,
+    Running,
+    WaitingForInput,
+    WaitingForOutput,
+    Paused,
+    Failed,
+}
+
+impl Default for Device {
+    fn default() -> Device {
+        Device {
+            name: String::new(),
+            line: None,
+            status: None,
+            now: Nanos::ZERO,
+            speed: Speed::Times(1.0),
+            reached: 0.0,
+            pending: 0,
+            frozen: false,
+            fault: None,
+        }
+    }
+}
+
+impl Device {
+    /// Takes in what was heard.
+    pub fn hear(&mut self, news: &News) {
+        match news {
+            News::Ready(ready) => {
+                self.name.clone_from(&ready.controller);
+                self.line = Some(ready.line);
+            }
+            News::Frame(frame, _) => {
+                self.status = Some(frame.status.clone());
+                self.now = frame.now;
+                self.reached = frame.reached;
+                self.pending = frame.pending;
+                self.frozen = frame.frozen;
+            }
+            News::Answer(_) => {}
+            News::Fault(fault) => self.fault = Some(*fault),
+        }
+    }
+
+    /// Whether the mains switch is on.
+    pub fn is_on(&self) -> bool {
+        self.status.as_ref().is_some_and(|status| status.power)
+    }
+
+    /// What the program does.
+    pub fn activity(&self) -> Activity {
+        let Some(status) = self.status.as_ref().filter(|_| self.fault.is_none()) else {
+            return self.fault.map_or(Activity::Starting, |_| Activity::Failed);
+        };
+        match status.run {
+            _ if !status.power => Activity::Off,
+            RunState::Idle => Activity::Idle,
+            RunState::Command => Activity::Command,
+            RunState::Running => Activity::Running,
+            RunState::Waiting(Wait::Input) => Activity::WaitingForInput,
+            RunState::Waiting(Wait::Output) => Activity::WaitingForOutput,
+            RunState::Paused => Activity::Paused,
+        }
+    }
+
+    /// The program line that runs, where one does.
+    pub fn running_line(&self) -> Option<u32> {
+        match self.activity() {
+            Activity::Running
+            | Activity::WaitingForInput
+            | Activity::WaitingForOutput
+            | Activity::Paused => self.status.as_ref()?.line,
+            _ => None,
+        }
+    }
+
+    /// The error that the last program ended with, in the device's words.
+    pub fn error(&self) -> Option<&str> {
+        self.status.as_ref()?.error.as_deref()
+    }
+}
+
+impl Activity {
+    /// For people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Activity::Starting => "starting",
+            Activity::Off => "off",
+            Activity::Idle => "idle",
+            Activity::Command => "executing",
+            Activity::Running => "running",
+            Activity::WaitingForInput => "waiting for input",
+            Activity::WaitingForOutput => "waiting for the line",
+            Activity::Paused => "paused",
+            Activity::Failed => "failed",
+        }
+    }
+
+    /// Whether a program or command is under way.
+    pub fn is_running(self) -> bool {
+        use Activity::{Command, Running, WaitingForInput, WaitingForOutput};
+        matches!(self, Command | Running | WaitingForInput | WaitingForOutput)
+    }
+}
+
+/// `9600 8N1`.
+pub fn line_words(line: &LineSettings) -> String {
+    let parity = match line.parity {
+        Parity::None => 'N',
+        Parity::Even => 'E',
+        Parity::Odd => 'O',
+    };
+    format!("{} {}{parity}{}", line.baud, line.data_bits, line.stop_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::protocol::Frame;
+
+    fn heard(run: RunState, power: bool) -> Device {
+        let status = Status {
+            power,
+            run,
+            line: Some(20),
+            spent: 0,
+            unread: 0,
+            unsent: 0,
+            moving: false,
+            enabled: false,
+            at_prompt: false,
+            error: None,
+            revision: 0,
+        };
+        let mut device = Device::default();
+        let frame = Frame {
+            number: 1,
+            now: Nanos::from_millis(5),
+            status,
+            reached: 1.0,
+            console: String::new(),
+            pending: 0,
+            frozen: false,
+        };
+        device.hear(&News::Frame(frame, Vec::new()));
+        device
+    }
+
+    #[test]
+    fn the_line_is_shown_while_a_program_runs() {
+        assert_eq!(heard(RunState::Running, true).running_line(), Some(20));
+        assert_eq!(heard(RunState::Idle, true).running_line(), None);
+        assert_eq!(heard(RunState::Running, false).activity(), Activity::Off);
+    }
+
+    #[test]
+    fn a_fault_is_what_counts() {
+        let mut device = heard(RunState::Running, true);
+        device.hear(&News::Fault(Fault::Died));
+        assert_eq!(device.activity(), Activity::Failed);
+        assert!(!device.activity().is_running());
+    }
+
+    #[test]
+    fn a_line_setting_is_said_the_usual_way() {
+        assert_eq!(line_words(&LineSettings::new(9600)), "9600 8N1");
+    }
+}

@@ -1,0 +1,114 @@
+//! The state in the page: what panels draw from, and where they send what the user does.
+//!
+//! What was printed and what was recorded stay out of the reactive graph; it carries only the news that there is more.
+
+use leptos::prelude::*;
+use motionbench_core::controller::RunState;
+use motionbench_core::exec::Wait;
+
+use super::scope::Scope;
+use super::terminal::Terminal;
+use super::{Device, News};
+use crate::client::Client;
+use crate::protocol::{FromWorker, ToWorker};
+
+/// All that the page knows. A handle: copies are of the same state.
+#[derive(Clone, Copy)]
+pub struct Store {
+    /// The controller.
+    pub device: RwSignal<Device>,
+    /// The terminal has the keyboard.
+    pub typing: RwSignal<bool>,
+    /// Grows when the terminal looks different.
+    pub printed: RwSignal<u64>,
+    /// Grows when the scope looks different.
+    pub recorded: RwSignal<u64>,
+    /// What the worker last answered when it was asked for something.
+    pub answer: RwSignal<Option<FromWorker>>,
+    terminal: StoredValue<Terminal, LocalStorage>,
+    scope: StoredValue<Scope, LocalStorage>,
+    client: StoredValue<Option<Client>, LocalStorage>,
+}
+
+impl Store {
+    /// Starts the simulator.
+    pub fn start() -> Store {
+        let store = Store {
+            device: RwSignal::default(),
+            typing: RwSignal::new(false),
+            printed: RwSignal::new(0),
+            recorded: RwSignal::new(0),
+            answer: RwSignal::new(None),
+            terminal: StoredValue::new_local(Terminal::default()),
+            scope: StoredValue::new_local(Scope::default()),
+            client: StoredValue::new_local(None),
+        };
+        let client = Client::start(move |news| store.hear(&news));
+        store.client.set_value(Some(client));
+        store
+    }
+
+    /// Sends the worker what the user wants.
+    pub fn send(&self, message: ToWorker) {
+        if let ToWorker::Speed(speed) = message {
+            self.device.update(|device| device.speed = speed);
+        }
+        self.client.with_value(|client| {
+            if let Some(client) = client {
+                client.send(message);
+            }
+        });
+    }
+
+    /// Sends characters to the console.
+    pub fn type_text(&self, text: String) {
+        if !text.is_empty() {
+            self.send(ToWorker::Send(text));
+        }
+    }
+
+    /// Reads the terminal, which makes what it shows when it is asked.
+    pub fn with_terminal<T>(&self, read: impl FnOnce(&mut Terminal) -> T) -> Option<T> {
+        self.terminal.try_update_value(read)
+    }
+
+    /// Fits the terminal into so much room.
+    pub fn resize_terminal(&self, columns: usize, rows: usize) {
+        self.terminal
+            .update_value(|terminal| terminal.resize(columns, rows));
+        self.printed.update(|count| *count += 1);
+    }
+
+    /// Reads the scope.
+    pub fn with_scope<T>(&self, read: impl FnOnce(&Scope) -> T) -> T {
+        self.scope.with_value(read)
+    }
+
+    fn hear(&self, news: &News) {
+        let was_on = self.device.with_untracked(Device::is_on);
+        match news {
+            News::Ready(ready) => self.scope.set_value(Scope::new(&ready.signals)),
+            News::Frame(frame, samples) => {
+                if !frame.console.is_empty() {
+                    self.terminal
+                        .update_value(|terminal| terminal.print(&frame.console));
+                    self.printed.update(|count| *count += 1);
+                } else {
+                    // Now that all of the question has arrived.
+                    let waits = frame.status.run == RunState::Waiting(Wait::Input);
+                    self.terminal.update_value(|terminal| terminal.asks(waits));
+                }
+                let power_cycle = frame.status.power != was_on;
+                let changed = self
+                    .scope
+                    .try_update_value(|scope| scope.take(samples, power_cycle));
+                if changed == Some(true) {
+                    self.recorded.update(|count| *count += 1);
+                }
+            }
+            News::Answer(answer) => self.answer.set(Some(answer.clone())),
+            News::Fault(_) => {}
+        }
+        self.device.update(|device| device.hear(news));
+    }
+}
