@@ -13,7 +13,10 @@ use motionbench_core::serial::{LineSettings, Parity};
 use motionbench_core::time::Nanos;
 
 /// A fuzzer's name and what it does with bytes.
-pub const TARGETS: [(&str, fn(&[u8])); 3] = [
+pub type Target = (&'static str, fn(&[u8]));
+
+/// Every fuzzer.
+pub const TARGETS: [Target; 3] = [
     ("mc600_text", mc600_text),
     ("mc600_console", mc600_console),
     ("scenario", scenario),
