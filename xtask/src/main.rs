@@ -4,6 +4,8 @@
 
 mod bench;
 mod browser;
+mod dist;
+mod offline;
 mod regen;
 mod report;
 mod serve;
@@ -21,6 +23,7 @@ The commands of Motionbench.
 
   cargo xtask serve [--dev] [--port N]   build the page, serve it on this machine, rebuild on change
   cargo xtask test [--list] [STEP...]    every check, or the steps named
+  cargo xtask dist                       build the site as it is published
   cargo xtask bench [native|browser]     speed as ratios to the reference loop
   cargo xtask regen                      write the generated files again
 
@@ -33,8 +36,11 @@ fn main() -> ExitCode {
     let done = match arguments.as_slice() {
         ["serve", rest @ ..] => serve::run(rest),
         ["test", rest @ ..] => test::run(rest),
+        ["dist"] => dist::run(),
         ["bench", rest @ ..] => bench::run(rest),
         ["regen"] => regen::run(),
+        // For Trunk alone.
+        ["service-worker"] => offline::run(),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

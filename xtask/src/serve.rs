@@ -1,11 +1,12 @@
 //! `cargo xtask serve`: builds the page, serves it on loopback, builds again on a change.
 
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
+use std::process::Command;
 use std::time::Duration;
 
 use crate::report::Report;
-use crate::setup::Need;
-use crate::{Result, shell};
+use crate::setup::Need::{Bindgen, Libraries, Node, Rust, Trunk};
+use crate::{Result, offline, shell};
 
 const FIRST_PORT: u16 = 8080;
 
@@ -13,7 +14,7 @@ const FIRST_PORT: u16 = 8080;
 pub(crate) fn run(arguments: &[&str]) -> Result<()> {
     let (release, port) = options(arguments)?;
     let mut report = Report::default();
-    for need in [Need::Rust, Need::Libraries, Need::Bindgen, Need::Trunk] {
+    for need in [Rust, Libraries, Bindgen, Trunk, Node] {
         if !need.provide(&mut report) {
             return report.expect_passed();
         }
@@ -28,7 +29,7 @@ pub(crate) fn run(arguments: &[&str]) -> Result<()> {
     };
     // The server would start on a build that failed, and serve nothing.
     report.step("page", what, || {
-        shell::run(shell::command("trunk", &[&["build"], &common[..]].concat()))
+        shell::run(trunk(&[&["build"], &common[..]].concat()))
     });
     report.expect_passed()?;
     serve(&common, port)
@@ -39,7 +40,7 @@ fn serve(common: &[&str], port: u16) -> Result<()> {
     println!("\n==> server: builds again when a source changes; reload the page to see it");
     let number = port.to_string();
     let arguments = [&["serve", "--port", &number], common].concat();
-    let mut trunk = shell::command("trunk", &arguments)
+    let mut trunk = trunk(&arguments)
         .spawn()
         .map_err(|error| format!("trunk: {error}"))?;
     let mut announced = false;
@@ -56,6 +57,13 @@ fn serve(common: &[&str], port: u16) -> Result<()> {
         }
         std::thread::sleep(Duration::from_millis(200));
     }
+}
+
+/// Trunk, for a page that is always the one built last: no service worker keeps it.
+fn trunk(arguments: &[&str]) -> Command {
+    let mut command = shell::command("trunk", arguments);
+    command.env(offline::DEVELOPMENT, "1");
+    command
 }
 
 /// Whether to build a release, and the port: the one asked for, else the first free one.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::report::Report;
 use crate::setup::Need::{self, Bindgen, Browser, Libraries, Node, Rust, Trunk};
-use crate::{Result, browser, regen, shell};
+use crate::{Result, browser, dist, regen, shell};
 
 /// One check.
 struct Check {
@@ -53,9 +53,9 @@ const CHECKS: [Check; 8] = [
     },
     Check {
         name: "site",
-        what: "the page is built as it is published",
-        needs: &[Rust, Libraries, Bindgen, Trunk],
-        run: site,
+        what: "the page is built as it is published, and is small enough",
+        needs: &[Rust, Libraries, Bindgen, Trunk, Node],
+        run: dist::build,
     },
     Check {
         name: "e2e",
@@ -159,13 +159,6 @@ fn wasm() -> Result<()> {
     ]);
     command.env("CHROMEDRIVER", found_browser()?.driver);
     shell::run(command)
-}
-
-fn site() -> Result<()> {
-    shell::run(shell::command(
-        "trunk",
-        &["build", "--release", "--offline"],
-    ))
 }
 
 fn end_to_end() -> Result<()> {

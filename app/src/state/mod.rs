@@ -7,6 +7,7 @@ pub mod project;
 pub mod scope;
 mod store;
 pub mod terminal;
+pub mod versions;
 pub mod words;
 
 pub use device::Device;

@@ -1,0 +1,281 @@
+//! A project: everything of the user's that outlives the page, and the file that it is written to.
+//!
+//! The browser keeps the same JSON text that a user exports. A text is written as the list of its lines, each with its
+//! line end; the bytes of a device are its characters, U+0000 to U+00FF. What is read has bounds and is checked whole.
+
+mod lines;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+
+use motionbench_core::controller::{Memory, MemoryItem};
+use motionbench_core::serial::LineSettings;
+use serde::de::{Deserializer, IgnoredAny};
+use serde::{Deserialize, Serialize, Serializer};
+
+use crate::protocol::Speed;
+
+/// The version that is written. It grows when an older page could not read what a newer one writes.
+pub const VERSION: u32 = 1;
+/// What a project may have as a file, in bytes: every disk full of what takes most room, and a long program.
+pub const LARGEST: usize = 16 << 20;
+/// How the name of its file ends.
+pub const EXTENSION: &str = ".motionbench.json";
+
+const FORMAT: &str = "motionbench project";
+/// Characters in the name of a project, a panel or a file of the device.
+const LONGEST_NAME: usize = 100;
+/// Files of the device, breakpoints, panels.
+const MOST: usize = 10_000;
+
+/// A project.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Project {
+    /// What the user does in the page.
+    pub work: Work,
+    /// What the device holds.
+    pub device: Device,
+}
+
+/// What the user does in the page.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Work {
+    /// For people, and for the name of the file.
+    pub name: String,
+    /// The text in the editor.
+    #[serde(with = "lines")]
+    pub text: String,
+    /// Lines of that text, from 0, at which the program stops.
+    pub breakpoints: BTreeSet<u32>,
+    /// How the terminal's end of the line is set.
+    pub line: LineSettings,
+    /// How fast simulated time passes.
+    pub speed: Speed,
+    /// How the page is laid out.
+    pub layout: Layout,
+}
+
+/// How the page is laid out, by the panels' own names.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Layout {
+    /// What a panel takes of the room that it shares with its neighbour, in thousandths.
+    pub shares: BTreeMap<String, u16>,
+    /// Panels that are folded away.
+    pub folded: BTreeSet<String>,
+    /// The panel that is shown where there is room for one.
+    pub shown: Option<String>,
+}
+
+/// What the device holds.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Device {
+    /// Which controller it is: its `ControllerInfo::id`.
+    pub controller: String,
+    /// The mains switch.
+    pub power: bool,
+    /// What survives a reload of the page, in the device's own items: also programs and files in RAM.
+    #[serde(with = "MemoryForm")]
+    pub memory: Memory,
+}
+
+/// Why a text is not taken for a project.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ProjectError {
+    /// Longer than [`LARGEST`].
+    TooLarge,
+    /// It is something else.
+    NotAProject,
+    /// Of a version that this page does not know.
+    Newer(u32),
+    /// Where, and what is wrong there.
+    Broken(String),
+}
+
+impl fmt::Display for ProjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ProjectError::TooLarge => {
+                write!(
+                    f,
+                    "This is larger than a project can be: {} MB.",
+                    LARGEST >> 20
+                )
+            }
+            ProjectError::NotAProject => write!(f, "This is not a Motionbench project."),
+            ProjectError::Newer(version) => write!(
+                f,
+                "This project was written by a newer Motionbench: it has version {version} of the format, and this page reads version {VERSION}."
+            ),
+            ProjectError::Broken(what) => write!(f, "This project cannot be read: {what}."),
+        }
+    }
+}
+
+/// The whole text; the parts stand in it as they are.
+#[derive(Serialize)]
+struct Written<'a> {
+    format: &'static str,
+    version: u32,
+    work: &'a Work,
+    device: &'a Device,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Read {
+    #[serde(rename = "format")]
+    _format: IgnoredAny,
+    #[serde(rename = "version")]
+    _version: IgnoredAny,
+    work: Work,
+    device: Device,
+}
+
+/// What every version has.
+#[derive(Deserialize)]
+struct Header {
+    format: String,
+    version: u32,
+}
+
+impl Project {
+    /// The text of its file, for people too.
+    pub fn file(&self) -> String {
+        let written = Written {
+            format: FORMAT,
+            version: VERSION,
+            work: &self.work,
+            device: &self.device,
+        };
+        // Only maps with keys that are no text cannot be written, and there are none.
+        let mut text = serde_json::to_string_pretty(&written).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+
+    /// Reads what [`Project::file`] or [`kept`] wrote.
+    ///
+    /// # Errors
+    /// [`ProjectError`], for people; nothing is taken then.
+    pub fn read(text: &str) -> Result<Project, ProjectError> {
+        if text.len() > LARGEST {
+            return Err(ProjectError::TooLarge);
+        }
+        let broken = |error: serde_json::Error| ProjectError::Broken(error.to_string());
+        let header: Header = serde_json::from_str(text).map_err(|error| {
+            if error.is_data() {
+                ProjectError::NotAProject
+            } else {
+                broken(error)
+            }
+        })?;
+        if header.format != FORMAT {
+            return Err(ProjectError::NotAProject);
+        }
+        if header.version != VERSION {
+            return Err(ProjectError::Newer(header.version));
+        }
+        let Read { work, device, .. } = serde_json::from_str(text).map_err(broken)?;
+        let project = Project { work, device };
+        project.check().map_err(ProjectError::Broken)?;
+        Ok(project)
+    }
+
+    /// A name for its file that every system takes.
+    pub fn file_name(&self) -> String {
+        let plain = |c: char| match c {
+            c if c.is_alphanumeric() || "-_.".contains(c) => c,
+            _ => '-',
+        };
+        let name: String = self.work.name.trim().chars().map(plain).collect();
+        let name = name.trim_matches(['-', '.']);
+        let name = if name.is_empty() { "project" } else { name };
+        format!("{name}{EXTENSION}")
+    }
+
+    /// What the types allow and a page cannot use, in words.
+    fn check(&self) -> Result<(), String> {
+        let Project { work, device } = self;
+        let (line, layout) = (&work.line, &work.layout);
+        if !(50..=1_000_000).contains(&line.baud)
+            || !(7..=8).contains(&line.data_bits)
+            || !(1..=2).contains(&line.stop_bits)
+        {
+            return Err("no serial line can be set like its line".to_owned());
+        }
+        if let Speed::Times(times) = work.speed
+            && !(0.01..=100.0).contains(&times)
+        {
+            return Err(format!("its speed {times} is not from 0.01 to 100"));
+        }
+        let panels = layout
+            .shares
+            .keys()
+            .chain(&layout.folded)
+            .chain(&layout.shown);
+        let items = &device.memory.items;
+        let names: Vec<&String> = [&work.name, &device.controller]
+            .into_iter()
+            .chain(panels)
+            .chain(items.iter().map(|item| &item.name))
+            .collect();
+        if names.len() > MOST || work.breakpoints.len() > MOST {
+            return Err(format!("it has more than {MOST} names or breakpoints"));
+        }
+        let long = names
+            .iter()
+            .find(|name| name.chars().count() > LONGEST_NAME);
+        long.map_or(Ok(()), |name| {
+            let start: String = name.chars().take(20).collect();
+            Err(format!(
+                "the name {start}... has more than {LONGEST_NAME} characters"
+            ))
+        })
+    }
+}
+
+/// The text of `device` for [`kept`]: it changes less often than the rest, and may be long.
+pub fn kept_device(device: &Device) -> String {
+    serde_json::to_string(device).unwrap_or_default()
+}
+
+/// The text of a project without the blanks for people.
+pub fn kept(work: &Work, device: &str) -> String {
+    let work = serde_json::to_string(work).unwrap_or_default();
+    format!(r#"{{"format":"{FORMAT}","version":{VERSION},"work":{work},"device":{device}}}"#)
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Memory", deny_unknown_fields)]
+struct MemoryForm {
+    version: u32,
+    #[serde(serialize_with = "write_items", deserialize_with = "read_items")]
+    items: Vec<MemoryItem>,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "MemoryItem", deny_unknown_fields)]
+struct ItemForm {
+    name: String,
+    #[serde(rename = "text", with = "lines::bytes")]
+    bytes: Vec<u8>,
+}
+
+fn write_items<S: Serializer>(items: &[MemoryItem], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Item<'a>(#[serde(with = "ItemForm")] &'a MemoryItem);
+    serializer.collect_seq(items.iter().map(Item))
+}
+
+fn read_items<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<MemoryItem>, D::Error> {
+    #[derive(Deserialize)]
+    struct Item(#[serde(with = "ItemForm")] MemoryItem);
+    let items = Vec::<Item>::deserialize(deserializer)?;
+    Ok(items.into_iter().map(|Item(item)| item).collect())
+}
+
+#[cfg(test)]
+mod tests;
