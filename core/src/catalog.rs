@@ -1,6 +1,6 @@
 //! The one file that names every controller.
 
-use crate::controller::Controller;
+use crate::controller::{Controller, Opt};
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
 
@@ -50,15 +50,6 @@ pub struct Kind {
     pub highlight: fn(&str) -> Vec<Highlight>,
     /// Every word of its language.
     pub keywords: fn() -> Vec<&'static KeywordRow>,
-}
-
-/// An option of a kind of controller.
-#[derive(Debug, Clone, Copy)]
-pub struct Opt {
-    /// Its key.
-    pub key: &'static str,
-    /// What it may be, and what it is without being given.
-    pub help: &'static str,
 }
 
 /// Every kind there is.

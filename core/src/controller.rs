@@ -70,6 +70,15 @@ pub struct ControllerInfo {
     pub sample: Nanos,
 }
 
+/// An option of a kind of controller.
+#[derive(Debug, Clone, Copy)]
+pub struct Opt {
+    /// Its key.
+    pub key: &'static str,
+    /// What it may be, and what it is without being given.
+    pub help: &'static str,
+}
+
 /// One recorded signal.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Signal {

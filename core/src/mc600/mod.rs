@@ -29,8 +29,7 @@ pub mod sysvars;
 mod value;
 mod vm;
 
-use crate::catalog::Opt;
-use crate::controller::{ControllerInfo, MemoryItem, Ports};
+use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};
 use crate::time::Nanos;
 use code::Exit;
