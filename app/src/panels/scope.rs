@@ -8,6 +8,7 @@ use super::{draw, room};
 use crate::state::scope::{Scope as State, View};
 use crate::state::{Store, words};
 
+mod fine;
 mod plot;
 
 use plot::{Colors, Surface};

@@ -18,6 +18,10 @@ pub(super) fn StatusLine(store: Store) -> impl IntoView {
             .running_line()
             .map_or_else(String::new, |line| format!("line {line}"))
     });
+    let moving = memo(|device| {
+        let words = if device.is_moving() { "axis moves" } else { "" };
+        words.to_owned()
+    });
     let error = memo(|device| device.error().unwrap_or_default().to_owned());
     let time = memo(|device| words::time(device.now.seconds()));
     let settings = memo(|device| device.line.as_ref().map_or_else(String::new, line_words));
@@ -42,6 +46,7 @@ pub(super) fn StatusLine(store: Store) -> impl IntoView {
                 {move || activity.get().words()}
             </span>
             <span class="figures line">{line}</span>
+            <span class="moving">{moving}</span>
             <span class="error">{error}</span>
             <span class="figures time">"t = "{time}</span>
             <span class="figures settings">{settings}</span>

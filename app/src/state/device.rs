@@ -114,6 +114,11 @@ impl Device {
         }
     }
 
+    /// The axis moves, whether a program runs or not.
+    pub fn is_moving(&self) -> bool {
+        self.status.as_ref().is_some_and(|status| status.moving)
+    }
+
     /// The error that the last program ended with, in the device's words.
     pub fn error(&self) -> Option<&str> {
         self.status.as_ref()?.error.as_deref()

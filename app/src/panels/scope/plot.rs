@@ -6,9 +6,9 @@ use leptos::wasm_bindgen::prelude::*;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters_canvas::CanvasBackend;
 use web_sys::{HtmlCanvasElement, MediaQueryList};
 
+use super::fine::{FINE, Fine};
 use crate::state::scope::Scale;
 use crate::state::words;
 
@@ -20,8 +20,8 @@ const RIGHT: f64 = 16.0;
 /// Text, and the least distance of two marks of a strip, CSS pixels.
 const TEXT: f64 = 11.0;
 const MARK: f64 = 48.0;
-/// Pixels of the canvas in a CSS pixel, at least: plotters rounds to whole pixels, and more of them make it smooth.
-const LEAST_DENSITY: f64 = 2.0;
+
+type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 /// Colours of the page, by its style sheet.
 pub(super) struct Colors {
@@ -65,21 +65,17 @@ pub(super) fn on_color_scheme(tell: impl Fn() + 'static) {
     on_cleanup(move || query.with_value(|query| query.set_onchange(None)));
 }
 
-fn density() -> f64 {
-    window().device_pixel_ratio().max(LEAST_DENSITY)
-}
-
-/// Gives the canvas pixels for the room that it has, in CSS pixels.
+/// Gives the canvas as many pixels as the screen has in the room that it has, in CSS pixels.
 pub(super) fn fit(canvas: &HtmlCanvasElement, width: f64, height: f64) {
-    let density = density();
+    let density = window().device_pixel_ratio();
     canvas.set_width((width * density).round() as u32);
     canvas.set_height((height * density).round() as u32);
 }
 
-/// A canvas to draw on.
+/// A canvas to draw on. Its unit is a part of a pixel.
 pub(super) struct Surface {
-    area: DrawingArea<CanvasBackend, Shift>,
-    /// Pixels of the canvas in a CSS pixel.
+    area: DrawingArea<Fine, Shift>,
+    /// Pixels of the screen in a CSS pixel.
     density: f64,
 }
 
@@ -89,22 +85,20 @@ impl Surface {
         if canvas.width() == 0 || canvas.height() == 0 {
             return None;
         }
-        let backend = CanvasBackend::with_canvas_object(canvas.clone())?;
-        let area = backend.into_drawing_area();
         Some(Surface {
-            area,
-            density: density(),
+            area: Fine::of(canvas)?.into_drawing_area(),
+            density: window().device_pixel_ratio(),
         })
     }
 
     /// Pixels that a line has from left to right.
     pub(super) fn columns(&self) -> usize {
-        (self.width() - self.pixels(LEFT + RIGHT)).max(1) as usize
+        ((self.width() - self.units(LEFT + RIGHT)) / FINE).max(1) as usize
     }
 
     /// How many marks a strip has room for.
     pub(super) fn marks(&self) -> f64 {
-        (f64::from(self.height()) / (self.density * MARK)).clamp(2.0, 5.0)
+        (f64::from(self.height()) / f64::from(self.units(MARK))).clamp(2.0, 5.0)
     }
 
     fn width(&self) -> i32 {
@@ -115,12 +109,33 @@ impl Surface {
         self.area.dim_in_pixel().1 as i32
     }
 
-    fn pixels(&self, css: f64) -> i32 {
-        (css * self.density).round() as i32
+    /// CSS pixels in units of the drawing.
+    fn units(&self, css: f64) -> i32 {
+        (css * self.density * f64::from(FINE)).round() as i32
+    }
+
+    /// The style of a line so many CSS pixels wide.
+    fn stroke(&self, color: &RGBColor, css: f64) -> ShapeStyle {
+        color.stroke_width(self.units(css).unsigned_abs())
+    }
+
+    /// A straight line of the grid, moved to fill whole pixels, so that it is as thin as it can be.
+    fn grid_line(&self, ends: [(i32, i32); 2], color: &RGBColor) -> Drawn {
+        let width = self.density.round().max(1.0) as i32;
+        let snap = |at: i32| at.div_euclid(FINE) * FINE + width % 2 * FINE / 2;
+        let [from, to] = ends;
+        let ends = if from.0 == to.0 {
+            [(snap(from.0), from.1), (snap(to.0), to.1)]
+        } else {
+            [(from.0, snap(from.1)), (to.0, snap(to.1))]
+        };
+        let style = color.stroke_width((width * FINE).unsigned_abs());
+        self.area.draw(&PathElement::new(ends, style))?;
+        Ok(())
     }
 
     fn text(&self, text: &str, at: (i32, i32), place: HPos, color: &RGBColor) {
-        let size = TEXT * self.density;
+        let size = f64::from(self.units(TEXT));
         let style = ("system-ui, sans-serif", size)
             .into_font()
             .color(color)
@@ -141,32 +156,30 @@ pub(super) fn strip(
 ) {
     let margin = (scale.high - scale.low) * MARGIN;
     let (low, high) = (scale.low - margin, scale.high + margin);
-    let draw = || -> Result<(), Box<dyn std::error::Error>> {
+    let draw = || -> Drawn {
         surface.area.fill(&colors.surface)?;
         let chart = ChartBuilder::on(&surface.area)
-            .margin_left(surface.pixels(LEFT))
-            .margin_right(surface.pixels(RIGHT))
+            .margin_left(surface.units(LEFT))
+            .margin_right(surface.units(RIGHT))
             .build_cartesian_2d(time.low..time.high, low..high)?;
         let plot = chart.plotting_area();
-        let thin = colors.line.stroke_width(surface.pixels(1.0).unsigned_abs());
         for at in time.marks() {
-            plot.draw(&PathElement::new([(at, low), (at, high)], thin))?;
+            let ends = [low, high].map(|value| plot.map_coordinate(&(at, value)));
+            surface.grid_line(ends, &colors.line)?;
         }
-        let text_height = surface.pixels(TEXT);
+        let text_height = surface.units(TEXT);
         for value in scale.marks() {
-            plot.draw(&PathElement::new(
-                [(time.low, value), (time.high, value)],
-                thin,
-            ))?;
-            let (left, y) = plot.map_coordinate(&(time.low, value));
+            let ends = [time.low, time.high].map(|at| plot.map_coordinate(&(at, value)));
+            surface.grid_line(ends, &colors.line)?;
+            let (left, y) = ends[0];
             if y >= text_height / 2 && y <= surface.height() - text_height / 2 {
                 let number = words::number(value, scale.digits());
-                let at = (left - surface.pixels(6.0), y);
+                let at = (left - surface.units(6.0), y);
                 surface.text(&number, at, HPos::Right, &colors.muted);
             }
         }
-        let thick = colors.traces[trace].stroke_width(surface.pixels(2.0).unsigned_abs());
-        plot.draw(&PathElement::new(line, thick))?;
+        let style = surface.stroke(&colors.traces[trace], 2.0);
+        plot.draw(&PathElement::new(line, style))?;
         Ok(())
     };
     // A canvas that the browser has taken away shows nothing, and needs nothing.
@@ -177,7 +190,7 @@ pub(super) fn strip(
 pub(super) fn time_axis(surface: &Surface, time: Scale, colors: &Colors) {
     // As in `strip`.
     let _ = surface.area.fill(&colors.surface);
-    let (left, right) = (surface.pixels(LEFT), surface.pixels(RIGHT));
+    let (left, right) = (surface.units(LEFT), surface.units(RIGHT));
     let width = f64::from(surface.width() - left - right);
     for (index, at) in time.marks().enumerate() {
         let x = left + ((at - time.low) / (time.high - time.low) * width).round() as i32;
