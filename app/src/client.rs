@@ -7,11 +7,9 @@ use js_sys::{Array, Float64Array};
 use wasm_bindgen::prelude::*;
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
+use crate::offline;
 use crate::protocol::{BUILD, FromWorker, ToWorker};
 use crate::state::{Fault, News};
-
-/// Beside the page, by a fixed name.
-const WORKER: &str = "./worker_loader.js";
 
 /// The worker. Dropped, it ends.
 #[derive(Clone)]
@@ -28,7 +26,8 @@ impl Client {
     pub fn start(tell: impl Fn(News) + 'static) -> Client {
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        let worker = Worker::new_with_options(WORKER, &options);
+        let address = offline::own_address("worker_loader.js");
+        let worker = Worker::new_with_options(&address, &options);
         let client = Client(Rc::new(RefCell::new(Connection {
             worker: worker.ok(),
             waiting: Some(Vec::new()),

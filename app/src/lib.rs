@@ -4,6 +4,9 @@
 //! page's end of the wire, [`state`] is what the page knows, [`panels`] draw it.
 
 pub mod client;
+pub mod clock;
+pub mod locks;
+pub mod offline;
 pub mod panels;
 pub mod protocol;
 pub mod state;

@@ -16,7 +16,7 @@ const TYPES = {
   ".webmanifest": "application/manifest+json",
 };
 
-/** Serves `folder`; returns the address and a function that stops the server. */
+/** Serves `folder`; returns the address, a function that serves another folder there, and one that stops the server. */
 export async function serve(folder) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
@@ -38,5 +38,8 @@ export async function serve(folder) {
     server.closeAllConnections();
     return new Promise((resolve) => server.close(resolve));
   };
-  return { address: `http://127.0.0.1:${server.address().port}/`, stop };
+  const change = (next) => {
+    folder = next;
+  };
+  return { address: `http://127.0.0.1:${server.address().port}/`, change, stop };
 }

@@ -9,24 +9,28 @@ mod scope;
 mod status;
 mod terminal;
 mod topbar;
+mod update;
 
 use leptos::prelude::*;
 
+use crate::offline::Updates;
 use crate::state::Store;
 
 /// Puts the page into the document.
 pub fn mount() {
     mount_to_body(|| {
         let store = Store::start();
+        let updates = Updates::start();
         view! {
             <topbar::TopBar store />
             <Fault store />
+            <update::UpdatePrompt updates />
             <main class="workshop">
                 <terminal::Terminal store />
                 <scope::Scope store />
             </main>
             <terminal::Compose store />
-            <status::StatusLine store />
+            <status::StatusLine store updates />
         }
     });
 }

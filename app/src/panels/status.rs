@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use crate::offline::Updates;
 use crate::state::device::{Activity, line_words};
 use crate::state::{Device, Store, words};
 
@@ -10,7 +11,7 @@ const WORTH_TELLING: usize = 80;
 
 /// The status line.
 #[component]
-pub(super) fn StatusLine(store: Store) -> impl IntoView {
+pub(super) fn StatusLine(store: Store, updates: Updates) -> impl IntoView {
     let memo = move |read: fn(&Device) -> String| Memo::new(move |_| store.device.with(read));
     let activity = Memo::new(move |_| store.device.with(Device::activity));
     let line = memo(|device| {
@@ -51,6 +52,7 @@ pub(super) fn StatusLine(store: Store) -> impl IntoView {
             <span class="figures time">"t = "{time}</span>
             <span class="figures settings">{settings}</span>
             <span class="figures pending">{pending}</span>
+            <span class="offline">{move || updates.state.get().words()}</span>
             <span class="keyboard">{keyboard}</span>
         </footer>
     }
