@@ -227,6 +227,8 @@ pub struct Status {
     pub moving: bool,
     /// Drive or axis enabled.
     pub enabled: bool,
+    /// What has tripped the drive, in its own words; `None` while nothing has.
+    pub fault: Option<String>,
     /// The console stands at its prompt and nothing is typed.
     pub at_prompt: bool,
     /// The last error that the program ended with, in the device's words; cleared by the next start.

@@ -39,6 +39,15 @@ pub struct Extremes {
     pub max: f64,
 }
 
+/// The bits of some values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bits {
+    /// On in all of them.
+    pub all: u32,
+    /// On in at least one.
+    pub any: u32,
+}
+
 impl Extremes {
     const NONE: Extremes = Extremes {
         min: f64::INFINITY,
@@ -151,24 +160,19 @@ impl Trace {
         buckets: usize,
     ) -> Vec<Option<Extremes>> {
         let mut found = vec![Extremes::NONE; buckets];
-        let width = to.since(from).0;
-        if width > 0 && buckets > 0 {
+        let mut parts = Parts::new(from, to, buckets);
+        if to > from && buckets > 0 {
             for block in &self.blocks {
                 block.fold(
                     signal,
                     from,
                     to,
                     |at, extremes| {
-                        let offset =
-                            u128::from(at.since(from).0) * buckets as u128 / u128::from(width);
-                        let bucket = usize::try_from(offset)
-                            .unwrap_or(usize::MAX)
-                            .min(buckets - 1);
-                        if let Some(found) = found.get_mut(bucket) {
+                        if let Some(found) = found.get_mut(parts.holding(at)) {
                             found.add(extremes);
                         }
                     },
-                    Nanos(width / buckets as u64),
+                    Nanos(to.since(from).0 / buckets as u64),
                 );
             }
         }
@@ -176,6 +180,108 @@ impl Trace {
             .into_iter()
             .map(|e| (e.min <= e.max).then_some(e))
             .collect()
+    }
+
+    /// Of a signal that holds bits: those that are on all the time, and those that are on some of the time, in each of
+    /// `buckets` equal parts of `from..to`; `None` where a part holds no row.
+    pub fn bits(&self, signal: usize, from: Nanos, to: Nanos, buckets: usize) -> Vec<Option<Bits>> {
+        let mut found: Vec<Option<Bits>> = vec![None; buckets];
+        let mut parts = Parts::new(from, to, buckets);
+        let within = |block: &&Block| {
+            let (first, last) = (block.times.first(), block.times.last());
+            first.is_some_and(|&first| first <= to) && last.is_some_and(|&last| last >= from)
+        };
+        for block in self.blocks.iter().filter(within) {
+            let Some(column) = block.columns.get(signal) else {
+                continue;
+            };
+            for (&at, &value) in block.times.iter().zip(column) {
+                if at < from || at > to {
+                    continue;
+                }
+                // What is no 32-bit number has no bits that anyone could mean.
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates
+                let on = value as u32;
+                if let Some(found) = found.get_mut(parts.holding(at)) {
+                    let bits = found.get_or_insert(Bits { all: on, any: on });
+                    bits.all &= on;
+                    bits.any |= on;
+                }
+            }
+        }
+        found
+    }
+
+    /// The time of the row that is nearest to `at`.
+    pub fn nearest(&self, at: Nanos) -> Option<Nanos> {
+        let before = self.times_to(at);
+        let after = self.after(at);
+        match (before, after) {
+            (Some(before), Some(after)) if after.since(at) < at.since(before) => Some(after),
+            (before, after) => before.or(after),
+        }
+    }
+
+    /// The time of the first row after `at`.
+    pub fn after(&self, at: Nanos) -> Option<Nanos> {
+        let starts_later = |block: &Block| block.times.last().is_none_or(|&last| last <= at);
+        let block = self.blocks.get(self.blocks.partition_point(starts_later))?;
+        let row = block.times.partition_point(|&time| time <= at);
+        block.times.get(row).copied()
+    }
+
+    /// The time of the last row before `at`.
+    pub fn before(&self, at: Nanos) -> Option<Nanos> {
+        self.times_to(Nanos(at.0.checked_sub(1)?))
+    }
+
+    /// The time of the last row at or before `at`.
+    fn times_to(&self, at: Nanos) -> Option<Nanos> {
+        let starts = |block: &Block| block.times.first().is_some_and(|&first| first <= at);
+        let block = self
+            .blocks
+            .get(self.blocks.partition_point(starts).checked_sub(1)?)?;
+        let row = block.times.partition_point(|&time| time <= at);
+        block.times.get(row.checked_sub(1)?).copied()
+    }
+}
+
+/// Equal parts of a time, walked through in order: without a division for each row.
+struct Parts {
+    from: u128,
+    width: u128,
+    count: usize,
+    part: usize,
+    /// The first time that is behind `part`.
+    end: Nanos,
+}
+
+impl Parts {
+    fn new(from: Nanos, to: Nanos, count: usize) -> Parts {
+        let mut parts = Parts {
+            from: u128::from(from.0),
+            width: u128::from(to.since(from).0),
+            count,
+            part: 0,
+            end: Nanos::ZERO,
+        };
+        parts.end = parts.end_of(0);
+        parts
+    }
+
+    /// Which part holds `at`, which is not before the time asked for last.
+    fn holding(&mut self, at: Nanos) -> usize {
+        while at >= self.end && self.part + 1 < self.count {
+            self.part += 1;
+            self.end = self.end_of(self.part);
+        }
+        self.part
+    }
+
+    fn end_of(&self, part: usize) -> Nanos {
+        let count = self.count.max(1) as u128;
+        let end = self.from + (self.width * (part as u128 + 1)).div_ceil(count);
+        Nanos(u64::try_from(end).unwrap_or(u64::MAX))
     }
 }
 
@@ -283,5 +389,28 @@ mod tests {
         let trace = ramp(3000);
         assert_eq!(trace.value(0, Nanos(250)), Some(2.0));
         assert_eq!(trace.value(0, Nanos(299_900)), Some(2999.0));
+    }
+
+    #[test]
+    fn rows_are_found_by_their_time() {
+        let trace = ramp(3000);
+        assert_eq!(trace.nearest(Nanos(149)), Some(Nanos(100)));
+        assert_eq!(trace.nearest(Nanos(151)), Some(Nanos(200)));
+        assert_eq!(trace.nearest(Nanos(999_999)), Some(Nanos(299_900)));
+        assert_eq!(trace.after(Nanos(102_300)), Some(Nanos(102_400)));
+        assert_eq!(trace.after(Nanos(299_900)), None);
+        assert_eq!(trace.before(Nanos(102_400)), Some(Nanos(102_300)));
+        assert_eq!(trace.before(Nanos(0)), None);
+        assert_eq!(Trace::new(1, 10).nearest(Nanos(5)), None);
+    }
+
+    #[test]
+    fn bits_that_change_within_a_part_are_on_some_of_the_time() {
+        let mut trace = Trace::new(1, 100);
+        (0..40).for_each(|i| trace.push(Nanos(i), &[f64::from(u8::from(i >= 15)) + 4.0]));
+        let found = trace.bits(0, Nanos(0), Nanos(40), 4);
+        let bits = |all, any| Some(Bits { all, any });
+        assert_eq!(found, [bits(4, 4), bits(4, 5), bits(5, 5), bits(5, 5)]);
+        assert_eq!(trace.bits(0, Nanos(50), Nanos(60), 2), [None, None]);
     }
 }

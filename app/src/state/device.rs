@@ -173,6 +173,7 @@ mod tests {
             unsent: 0,
             moving: false,
             enabled: false,
+            fault: None,
             at_prompt: false,
             error: None,
             revision: 0,

@@ -4,6 +4,8 @@
 //! MC-600 works". The bits are those of the drive profile that the drive's fieldbus cards use (public), which settles
 //! the sequence: switch-on inhibit, ready, switched on, operation enabled, one step a sample.
 
+use std::fmt;
+
 use super::planner::Reference;
 use crate::plant::{AxisParameters, PlantAxis, presets};
 use crate::servo::{Gains, Servo};
@@ -44,8 +46,21 @@ pub enum Fault {
 }
 
 impl Fault {
+    const ALL: [Fault; 3] = [Fault::FollowingError, Fault::Feedback, Fault::OutputStage];
+
     fn bit(self) -> u32 {
         1 << (self as u32 - 1)
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self {
+            Fault::FollowingError => "following error",
+            Fault::Feedback => "feedback",
+            Fault::OutputStage => "output stage",
+        };
+        write!(f, "F{:02} {name}", *self as u32)
     }
 }
 
@@ -214,6 +229,12 @@ impl Drive {
         self.state = State::Fault;
         self.command &= !(ENABLE | REFERENCE);
         self.servo.reset();
+    }
+
+    /// What has tripped it and is not cleared.
+    pub fn faults(&self) -> impl Iterator<Item = Fault> + '_ {
+        let latched = |fault: &Fault| self.faults & fault.bit() != 0;
+        Fault::ALL.into_iter().filter(latched)
     }
 
     /// Whether the position loop is closed.

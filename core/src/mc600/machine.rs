@@ -77,6 +77,8 @@ pub struct Signals {
     pub following_error: f64,
     /// Of the position loop: torque as a fraction of the motor's peak.
     pub output: f64,
+    /// Of the motor itself, in revolutions since it was built, whatever the controller counts.
+    pub shaft: f64,
     /// Bit n is input n.
     pub inputs: u32,
     /// Bit n is output n.
@@ -364,6 +366,12 @@ impl Machine {
         self.drive.is_enabled()
     }
 
+    /// What has tripped the drive, by the numbers and names of its own list.
+    pub fn fault_words(&self) -> Option<String> {
+        let words: Vec<String> = self.drive.faults().map(|fault| fault.to_string()).collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    }
+
     /// What can be recorded now.
     pub fn signals(&self) -> Signals {
         let reference = self.planner.reference();
@@ -375,6 +383,7 @@ impl Machine {
             velocity: self.velocity(),
             following_error: self.drive.following_error() / 256.0,
             output: self.drive.output(),
+            shaft: self.plant.position(),
             inputs: self.inputs.0,
             outputs: self.outputs.0,
         }

@@ -46,6 +46,7 @@ pub(super) fn info() -> ControllerInfo {
             ("x.acceleration", "counts*256/sample^2"),
             ("x.error", "counts"),
             ("x.output", "of peak torque"),
+            ("x.shaft", "revolutions"),
             ("inputs", "bits"),
             ("outputs", "bits"),
         ]
@@ -127,6 +128,7 @@ impl Controller for Mc600 {
             signals.demand_acceleration,
             signals.following_error,
             signals.output,
+            signals.shaft,
             f64::from(signals.inputs),
             f64::from(signals.outputs),
         ]);
@@ -151,6 +153,7 @@ impl Controller for Mc600 {
             unsent: self.console.unsent() + usize::from(self.vm.is_printing()),
             moving: self.machine.is_moving(),
             enabled: self.machine.is_enabled(),
+            fault: self.machine.fault_words(),
             at_prompt: self.mode == Mode::Ready { prompted: true } && !self.console.is_typing(),
             error: self.error.clone(),
             revision: self.program.revision(),

@@ -115,7 +115,7 @@ fn enabling_a_turning_motor_stops_it_smoothly() {
 
 #[test]
 fn faults_are_latched_until_they_are_mended_and_cleared() {
-    for kind in ["drive", "encoder"] {
+    for (kind, words) in [("drive", "F14 output stage"), ("encoder", "F04 feedback")] {
         let mut machine = enabled();
         machine.command(MotionCommand::Move(100_000));
         run(&mut machine, 300);
@@ -123,6 +123,7 @@ fn faults_are_latched_until_they_are_mended_and_cleared() {
         run(&mut machine, 2);
         assert_eq!(machine.get(SysVar::GvStatus), IDLE | 0b10_1000, "{kind}");
         assert_eq!(machine.get(SysVar::MvFlag), 1, "the move is gone");
+        assert_eq!(machine.fault_words().as_deref(), Some(words));
         machine.command(MotionCommand::ClearFault);
         run(&mut machine, 2);
         assert_eq!(
@@ -137,6 +138,7 @@ fn faults_are_latched_until_they_are_mended_and_cleared() {
         machine.command(MotionCommand::ClearFault);
         run(&mut machine, 500);
         assert_eq!(machine.get(SysVar::GvStatus), IDLE | 0b10_0001);
+        assert_eq!(machine.fault_words(), None);
         machine.command(MotionCommand::EnableDrive);
         machine.command(MotionCommand::Move(100_000));
         until(&mut machine, move_is_over);
