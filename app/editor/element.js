@@ -152,7 +152,7 @@ class ProgramEditor extends HTMLElement {
         EditorState.allowMultipleSelections.of(true),
         this.#readOnly.of([]),
         tooltips({ position: "fixed" }),
-        EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: "characters" }),
+        EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: "characters", tabindex: "0" }),
         EditorView.updateListener.of((update) => this.#tell(update)),
         EditorState.phrases.of(phrases),
         theme,

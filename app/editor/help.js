@@ -29,7 +29,7 @@ function element(name, className, ...children) {
 /** Whether a word works here, in a sentence. */
 function supported(support) {
   const [[how, why]] = typeof support === "string" ? [[support, ""]] : Object.entries(support);
-  return { Full: "Works here.", Partial: `Works in part: ${why}`, Absent: `Does not work here: ${why}` }[how];
+  return { Full: "Simulated in full.", Partial: `Simulated in part: ${why}`, Absent: why }[how];
 }
 
 /** What is to be known about a word. */
@@ -49,7 +49,7 @@ export function help(editor) {
     .filter(({ word }) => /^[A-Z]/i.test(word))
     .map((row) => ({
       label: row.word,
-      detail: row.support.Absent ? "does not work here" : row.kind,
+      detail: row.support.Absent ? "not simulated" : row.kind,
       boost: row.support.Absent ? -99 : RARE.has(row.kind) ? -50 : 0,
       info: () => explained(row),
     }));

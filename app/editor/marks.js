@@ -1,7 +1,7 @@
 // Breakpoints in the gutter, and the line that runs.
 
 import { RangeSet, StateEffect, StateField } from "@codemirror/state";
-import { Decoration, EditorView, GutterMarker, gutter, keymap } from "@codemirror/view";
+import { Decoration, EditorView, GutterMarker, gutter, gutterLineClass, keymap } from "@codemirror/view";
 
 /** The lines with a breakpoint. */
 export const setBreakpoints = StateEffect.define();
@@ -16,8 +16,13 @@ class Dot extends GutterMarker {
   }
 }
 
+class RunningCell extends GutterMarker {
+  elementClass = "running";
+}
+
 const dot = new Dot();
-const running = Decoration.line({ class: "running", attributes: { "aria-current": "step" } });
+const runningCell = new RunningCell();
+const runningLine = Decoration.line({ class: "running", attributes: { "aria-current": "step" } });
 
 /** Where lines start, for those that the document still has. */
 function starts(doc, lines) {
@@ -48,8 +53,14 @@ export function marks(editor) {
   );
   const runs = field(
     setRunning,
-    (doc, line) => Decoration.set(starts(doc, [line]).map((start) => running.range(start))),
-    (field) => EditorView.decorations.from(field),
+    (doc, line) => Decoration.set(starts(doc, [line]).map((start) => runningLine.range(start))),
+    (field) => [
+      EditorView.decorations.from(field),
+      gutterLineClass.compute([field], (state) => {
+        const { value, from } = state.field(field).iter();
+        return value ? RangeSet.of(runningCell.range(from)) : RangeSet.empty;
+      }),
+    ],
   );
   function toggle(view, at) {
     editor.toggle(view.state.doc.lineAt(at).number - 1);

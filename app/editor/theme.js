@@ -7,9 +7,9 @@ export const phrases = {
   next: "Next",
   previous: "Previous",
   all: "All",
-  "match case": "Match case",
-  regexp: "Regular expression",
-  "by word": "Whole words",
+  "match case": "Case",
+  regexp: "Regexp",
+  "by word": "Words",
   replace: "Replace",
   "replace all": "Replace all",
   close: "Close",
@@ -27,7 +27,7 @@ const control = {
   font: "inherit",
 };
 const focus = { outline: "2px solid var(--accent)", outlineOffset: "2px" };
-/** A colour seen through. */
+/** A colour seen through: so faintly that every text on it keeps its contrast. */
 const tint = (token, percent) => `color-mix(in srgb, var(${token}) ${percent}%, transparent)`;
 const wavy = (token) => ({ backgroundImage: "none", textDecoration: `underline wavy var(${token}) 1px`, textUnderlineOffset: "3px" });
 
@@ -38,15 +38,15 @@ const text = {
   ".cm-content": { padding: ".5rem 0", caretColor: "var(--ink)" },
   ".cm-line": { padding: "0 .75rem 0 .25rem" },
   ".cm-cursor, .cm-dropCursor": { borderLeftColor: "var(--ink)", borderLeftWidth: "1.5px" },
-  ".cm-selectionBackground": { background: tint("--muted", 25) },
-  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground": { background: tint("--accent", 30) },
-  ".cm-selectionMatch": { backgroundColor: tint("--muted", 20) },
+  ".cm-selectionBackground": { background: tint("--muted", 20) },
+  "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground": { background: tint("--accent", 22) },
+  ".cm-selectionMatch": { backgroundColor: tint("--muted", 15) },
   ".line-number": { color: "var(--muted)" },
   ".keyword, .function": { color: "var(--code-keyword)" },
   ".number": { color: "var(--code-number)" },
   ".text": { color: "var(--code-text)" },
   ".comment": { color: "var(--muted)" },
-  ".error": { color: "var(--stop)" },
+  ".error": { color: "var(--code-error)" },
 };
 
 const marks = {
@@ -61,7 +61,7 @@ const marks = {
     content: "''",
   },
   ".breakpoints .cm-gutterElement:empty:hover::before": { background: "var(--line)" },
-  ".cm-line.running": { background: tint("--accent", 16) },
+  ".cm-line.running, .cm-gutterElement.running": { background: tint("--accent", 16) },
 };
 
 const tips = {
@@ -116,7 +116,9 @@ const panel = {
     padding: ".5rem 3rem .5rem .75rem",
     font: "var(--code-field)/1.25rem var(--system)",
   },
-  ".cm-panel.cm-search br": { flexBasis: "100%", content: "''", display: "block" },
+  // Replacing has a row of its own: in a flex box a line break is none, but this is.
+  ".cm-panel.cm-search::before": { flexBasis: "100%", order: "1", content: "''" },
+  ".cm-panel.cm-search br ~ *": { order: "2" },
   ".cm-panel.cm-search .cm-textfield": { ...control, width: "12rem", fontFamily: "var(--mono)" },
   ".cm-panel.cm-search .cm-button": { ...control, backgroundImage: "none", cursor: "pointer" },
   ".cm-panel.cm-search .cm-button:hover": { borderColor: "var(--muted)" },
@@ -139,8 +141,8 @@ const panel = {
     cursor: "pointer",
   },
   "button:focus-visible, input:focus-visible": focus,
-  ".cm-searchMatch": { backgroundColor: tint("--lamp", 30) },
-  ".cm-searchMatch-selected": { backgroundColor: tint("--lamp", 60) },
+  ".cm-searchMatch": { backgroundColor: tint("--lamp", 10), outline: "1px solid var(--lamp)" },
+  ".cm-searchMatch-selected": { backgroundColor: tint("--lamp", 15), outlineWidth: "2px" },
 };
 
 export const theme = EditorView.theme({ ...text, ...marks, ...tips, ...faults, ...panel });

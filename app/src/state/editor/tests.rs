@@ -248,5 +248,8 @@ fn the_first_program_moves_the_axis_to_and_fro_within_two_seconds() {
     bench.run_until(Nanos::from_millis(2500), &mut probe);
     let printed: Vec<u8> = probe.console.iter().map(|sent| sent.byte).collect();
     let printed = String::from_utf8_lossy(&printed);
-    assert!(printed.contains("RUN\r\nOUT 40960 \r\nBACK 0 \r\n"), "{printed}");
+    assert!(
+        printed.contains("RUN\r\nOUT 40960 \r\nBACK 0 \r\n"),
+        "{printed}"
+    );
 }
