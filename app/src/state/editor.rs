@@ -4,22 +4,30 @@ use std::collections::BTreeSet;
 
 use motionbench_core::catalog::Kind;
 use motionbench_core::controller::Revision;
-use motionbench_core::language::Diagnostic;
+use motionbench_core::language::{Diagnostic, Severity, Span};
 
 pub mod lines;
 pub mod programs;
 
+use super::words;
 use lines::Edit;
 use programs::{Difference, Loaded, Sent};
 
 /// What is in the editor on a first visit: moves the axis to and fro within two seconds, and says so.
 pub const FIRST_PROGRAM: &str = include_str!("editor/first_program.bas");
 
+/// Characters of a text that is checked while it is typed: more than a program has, and checked within two frames.
+const MOST_CHECKED: usize = 250_000;
+
+/// Problems that are told at a time.
+pub const MOST_PROBLEMS: usize = 200;
+
 /// The editor's program. Its lines are counted from 0; the controller's lines are called by its own numbers.
 #[derive(Debug, Clone)]
 pub struct EditorState {
     kind: &'static Kind,
     text: String,
+    opens: u64,
     takes: u64,
     breakpoints: BTreeSet<u32>,
     running: Option<u32>,
@@ -83,6 +91,7 @@ impl EditorState {
         EditorState {
             kind,
             text: lines::with_line_feeds(text),
+            opens: 0,
             takes: 0,
             breakpoints: BTreeSet::new(),
             running: None,
@@ -103,12 +112,34 @@ impl EditorState {
         &self.text
     }
 
-    /// What the controller would say to the text, and what else can be said about it. Places are counted as the
-    /// editor counts: in UTF-16.
+    /// What the controller would say to the text, and what else can be said about it: the first [`MOST_PROBLEMS`].
+    /// Places are counted as the editor counts, in UTF-16.
     pub fn problems(&self) -> Vec<Diagnostic> {
+        if self.text.len() > MOST_CHECKED {
+            return vec![too_long()];
+        }
         let mut problems = (self.kind.diagnose)(&self.text);
+        problems.truncate(MOST_PROBLEMS);
         lines::count_in_utf16(&self.text, &mut problems);
         problems
+    }
+
+    /// Begins with another text, which has nothing to do with this one, and its breakpoints.
+    pub fn open(&mut self, text: &str, breakpoints: impl IntoIterator<Item = u32>) {
+        *self = EditorState {
+            opens: self.opens + 1,
+            breakpoints: breakpoints.into_iter().collect(),
+            running: self.running,
+            controller: self.controller.take(),
+            ..EditorState::new(self.kind, text)
+        };
+        self.agree_with_listing();
+        self.compare_with_loaded();
+    }
+
+    /// Grows when another text is begun with: then the editor must forget what was undone.
+    pub fn opens(&self) -> u64 {
+        self.opens
     }
 
     /// The user changed the text; `edits` go from the last place of the text to the first.
@@ -208,6 +239,12 @@ impl EditorState {
     /// The controller refused what was sent.
     pub fn refused(&mut self) {
         self.sent = None;
+    }
+
+    /// Whether the controller's program and its running line are as they were when last heard of.
+    pub fn hears_nothing_new(&self, revision: u64, running: Option<u32>) -> bool {
+        let known = self.controller.as_ref().map(|known| known.revision);
+        known == Some(revision) && self.running == running
     }
 
     /// The controller's program is of this revision; returns whether its listing is wanted.
@@ -313,6 +350,21 @@ impl EditorState {
     fn compare_with_loaded(&mut self) {
         let loaded = self.loaded.as_ref();
         self.changed = loaded.is_some_and(|loaded| loaded.text != self.text);
+    }
+}
+
+/// What is said instead of checking.
+fn too_long() -> Diagnostic {
+    Diagnostic {
+        line: 0,
+        span: Span::default(),
+        severity: Severity::Warning,
+        message: "LONG PROGRAM".to_owned(),
+        cause: format!(
+            "A text of more than {} characters is not checked here; the controller checks it.",
+            words::number(MOST_CHECKED as f64, 0)
+        ),
+        cure: None,
     }
 }
 

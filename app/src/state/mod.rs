@@ -3,6 +3,7 @@
 pub mod device;
 pub mod editor;
 pub mod keys;
+mod program;
 pub mod project;
 pub mod scope;
 mod store;

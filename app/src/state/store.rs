@@ -3,14 +3,16 @@
 //! What was printed and what was recorded stay out of the reactive graph; it carries only the news that there is more.
 
 use leptos::prelude::*;
-use motionbench_core::controller::RunState;
+use motionbench_core::catalog::KINDS;
+use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
 
+use super::editor::{EditorState, FIRST_PROGRAM};
 use super::scope::Scope;
 use super::terminal::Terminal;
 use super::{Device, News};
 use crate::client::Client;
-use crate::protocol::{FromWorker, ToWorker};
+use crate::protocol::{ToWorker, Unloadable};
 
 /// All that the page knows. A handle: copies are of the same state.
 #[derive(Clone, Copy)]
@@ -23,8 +25,14 @@ pub struct Store {
     pub printed: RwSignal<u64>,
     /// Grows when the scope looks different.
     pub recorded: RwSignal<u64>,
-    /// What the worker last answered when it was asked for something.
-    pub answer: RwSignal<Option<FromWorker>>,
+    /// The program that the user edits.
+    pub editor: RwSignal<EditorState>,
+    /// The user wants to run, and has to say whose program.
+    pub asked: RwSignal<bool>,
+    /// Why the controller did not take the editor's program.
+    pub refusal: RwSignal<Option<Unloadable>>,
+    /// What the controller held when it was last asked.
+    pub kept: RwSignal<Option<Memory>>,
     terminal: StoredValue<Terminal, LocalStorage>,
     scope: StoredValue<Scope, LocalStorage>,
     client: StoredValue<Option<Client>, LocalStorage>,
@@ -38,13 +46,17 @@ impl Store {
             typing: RwSignal::new(false),
             printed: RwSignal::new(0),
             recorded: RwSignal::new(0),
-            answer: RwSignal::new(None),
+            editor: RwSignal::new(EditorState::new(&KINDS[0], FIRST_PROGRAM)),
+            asked: RwSignal::new(false),
+            refusal: RwSignal::new(None),
+            kept: RwSignal::new(None),
             terminal: StoredValue::new_local(Terminal::default()),
             scope: StoredValue::new_local(Scope::default()),
             client: StoredValue::new_local(None),
         };
         let client = Client::start(move |news| store.hear(&news));
         store.client.set_value(Some(client));
+        store.follow_breakpoints();
         store
     }
 
@@ -105,8 +117,9 @@ impl Store {
                 if changed == Some(true) {
                     self.recorded.update(|count| *count += 1);
                 }
+                self.hear_of_program(frame);
             }
-            News::Answer(answer) => self.answer.set(Some(answer.clone())),
+            News::Answer(answer) => self.hear_answer(answer),
             News::Fault(_) => {}
         }
         self.device.update(|device| device.hear(news));

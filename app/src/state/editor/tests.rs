@@ -253,3 +253,33 @@ fn the_first_program_moves_the_axis_to_and_fro_within_two_seconds() {
         "{printed}"
     );
 }
+
+#[test]
+fn another_text_is_begun_with_its_own_breakpoints() {
+    let mut desk = Desk::new(PROGRAM);
+    desk.editor.toggle_breakpoint(3);
+    desk.load();
+    desk.editor.open("10 END\r\n20 END", [1]);
+    assert_eq!(desk.editor.text(), "10 END\n20 END");
+    assert_eq!(desk.editor.breakpoints(), [1]);
+    assert_eq!(desk.editor.opens(), 1);
+    // The controller still has the one before; its listing tells.
+    desk.elsewhere(PROGRAM);
+    assert_eq!(desk.agreement(), Agreement::ControllerDiffers);
+    desk.editor.open(PROGRAM, []);
+    assert_eq!(desk.agreement(), Agreement::Same);
+}
+
+#[test]
+fn a_text_that_is_no_program_is_told_so_in_good_time() {
+    let prose = "It was a dark and stormy night\n".repeat(1000);
+    assert_eq!(Desk::new(&prose).editor.problems().len(), MOST_PROBLEMS);
+    let endless = "10 PRINT\n".repeat(100_000);
+    let found = Desk::new(&endless).editor.problems();
+    assert_eq!(found.len(), 1);
+    assert!(
+        found[0].cause.contains("250\u{202f}000 characters"),
+        "{}",
+        found[0].cause
+    );
+}
