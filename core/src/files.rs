@@ -3,11 +3,16 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+/// Files that a disk holds at the most, however short they are.
+const MOST_FILES: usize = 4096;
+
 /// A disk: files by name, in upper case, bounded.
 #[derive(Debug, Clone)]
 pub struct Disk {
     files: BTreeMap<String, Rc<[u8]>>,
-    /// Bytes that all files together may hold.
+    /// Bytes that all files together hold.
+    used: usize,
+    /// Bytes that they may hold.
     quota: usize,
 }
 
@@ -20,6 +25,7 @@ impl Disk {
     pub fn new(quota: usize) -> Disk {
         Disk {
             files: BTreeMap::new(),
+            used: 0,
             quota,
         }
     }
@@ -27,14 +33,16 @@ impl Disk {
     /// Writes a file whole, replacing one of the same name.
     ///
     /// # Errors
-    /// [`DiskFull`] if the quota does not allow it; the old file then stays.
+    /// [`DiskFull`] if the quota does not allow it, or there are 4096 files; the old file then stays.
     pub fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), DiskFull> {
         let name = name.to_ascii_uppercase();
-        let replaced = self.files.get(&name).map_or(0, |old| old.len());
-        if self.used() - replaced + bytes.len() > self.quota {
+        let replaced = self.files.get(&name).map(|old| old.len());
+        let used = self.used - replaced.unwrap_or(0) + bytes.len();
+        if used > self.quota || replaced.is_none() && self.files.len() >= MOST_FILES {
             return Err(DiskFull);
         }
         self.files.insert(name, bytes.into());
+        self.used = used;
         Ok(())
     }
 
@@ -46,11 +54,12 @@ impl Disk {
     /// Removes every file.
     pub fn clear(&mut self) {
         self.files.clear();
+        self.used = 0;
     }
 
     /// Bytes held by all files.
     pub fn used(&self) -> usize {
-        self.files.values().map(|bytes| bytes.len()).sum()
+        self.used
     }
 
     /// Bytes still free.
@@ -138,5 +147,17 @@ mod tests {
         assert_eq!(disk.write("b", b"123"), Err(DiskFull));
         disk.write("A.BAS", b"1234567890").unwrap();
         assert_eq!(disk.free(), 0);
+        disk.clear();
+        assert_eq!(disk.free(), 10);
+    }
+
+    #[test]
+    fn empty_files_take_room_too() {
+        let mut disk = Disk::new(10);
+        for number in 0..MOST_FILES {
+            disk.write(&format!("F{number}"), b"").unwrap();
+        }
+        assert_eq!(disk.write("ONE.MORE", b""), Err(DiskFull));
+        assert_eq!(disk.write("F0", b"123"), Ok(()));
     }
 }

@@ -168,6 +168,7 @@ impl Mc600 {
     }
 
     fn renumber(&mut self, start: u16, increment: u16) -> Result<(), ErrorCode> {
+        self.charge_bytes(self.program.bytes());
         self.program.renumber(start, increment)?;
         self.program_changed();
         self.finish();
@@ -245,7 +246,9 @@ impl Mc600 {
             ANY => self.file.clone().ok_or(ErrorCode::Syntax)?,
             name => FileName::parse(self.vm.string(name))?,
         };
-        self.disks.write(&name, &self.program.to_text())?;
+        let text = self.program.to_text();
+        self.charge_bytes(text.len());
+        self.disks.write(&name, &text)?;
         self.file = Some(name);
         Ok(())
     }
@@ -257,6 +260,7 @@ impl Mc600 {
 
     fn load_named(&mut self, name: &FileName) -> Result<(), ErrorCode> {
         let bytes = self.disks.read(name).ok_or(ErrorCode::FileNotFound)?;
+        self.charge_bytes(bytes.len());
         let program = Program::from_text(&bytes, STORED_LENGTH).map_err(|fault| fault.error)?;
         self.replace_program(program);
         self.file = Some(name.clone());

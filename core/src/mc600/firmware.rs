@@ -99,6 +99,10 @@ pub const COST_UNIT: i64 = 50_000;
 /// What a statement costs before its operands are counted, so that a simple one takes 0.4 ms (D46).
 pub const STATEMENT_COST: u16 = 6;
 
+/// What SAVE, LOAD, RUN of a file and RENUM take for each byte of the program, in ns (D54): so a long program cannot
+/// stop the clock on the wall by being saved again and again.
+pub const BYTE_COST: i64 = 2_000;
+
 /// Firmware time that a sample holds at the most, in ns: 10,000 of the cheapest statements, however fast the interpreter
 /// is made to be.
 pub const CREDIT_A_SAMPLE: Nanos = Nanos(10_000 * (STATEMENT_COST as u64) * (COST_UNIT as u64));

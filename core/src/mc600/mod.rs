@@ -36,7 +36,7 @@ use code::Exit;
 use console::{Console, Echo};
 use debugger::Debugger;
 use disks::Disks;
-use firmware::{COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
+use firmware::{BYTE_COST, COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
 use keywords::{Keyword, keyword};
 use machine::{Machine, MotionCommand};
 use program::Program;
@@ -252,6 +252,8 @@ impl Mc600 {
 
     /// Ctrl-C: stops what runs, or forgets what is typed.
     fn attention(&mut self) {
+        // What was begun need not be paid any more.
+        self.credit.balance = self.credit.balance.max(0);
         let unsent = self.console.unsent() > 0 || self.vm.is_printing();
         let typing = self.console.is_typing();
         self.console.discard();
@@ -319,6 +321,14 @@ impl Mc600 {
     /// Taking a line costs the time of a simple statement.
     fn charge_a_line(&mut self) {
         let cost = i64::from(STATEMENT_COST) * COST_UNIT;
+        self.credit.settle(self.credit.balance.saturating_sub(cost));
+    }
+
+    /// Handling a program as a whole takes its time byte by byte.
+    fn charge_bytes(&mut self, bytes: usize) {
+        let cost = i64::try_from(bytes)
+            .unwrap_or(i64::MAX)
+            .saturating_mul(BYTE_COST);
         self.credit.settle(self.credit.balance.saturating_sub(cost));
     }
 

@@ -137,7 +137,10 @@ impl Controller for Mc600 {
     fn status(&self) -> Status {
         let running = self.mode == Mode::Running;
         let line = running.then(|| self.vm.image.line_at(self.vm.pc)).flatten();
+        // What a command took may still keep the prompt back.
+        let ending = self.mode == Mode::Ready { prompted: false };
         let run = match (running, self.waiting, line) {
+            (false, ..) if ending => RunState::Command,
             (false, ..) => RunState::Idle,
             _ if self.debugger.holds() => RunState::Paused,
             (true, Some(wait), _) => RunState::Waiting(wait),
