@@ -53,7 +53,9 @@ pub fn mc600_console(data: &[u8]) {
     let locked = ["no", "yes"][usize::from(options >> 2 & 1)];
     let mut card = Card::new(&[("speed", speed), ("locked", locked)]);
     let mut typed = typed.iter().take(LONGEST_TYPED);
-    while let Some(&byte) = typed.next() {
+    while let Some(&byte) = typed.next()
+        && card.bench.now() < LONGEST_SESSION
+    {
         match (byte, byte == ESCAPE) {
             (_, true) => card.outside(typed.next().copied()),
             (byte, false) => drop(card.bench.send(card.line, &[byte])),
@@ -110,6 +112,8 @@ pub fn scenario(data: &[u8]) {
 
 /// Typed bytes that are looked at: about four seconds of the line.
 const LONGEST_TYPED: usize = 4096;
+/// Simulated time after which no more is typed: XOFF may hold back every byte.
+const LONGEST_SESSION: Nanos = Nanos::from_millis(10_000);
 /// Stations of a scenario that is run.
 const MOST_STATIONS: usize = 4;
 const ESCAPE: u8 = 0x1B;
