@@ -1,4 +1,5 @@
 //! Programs that fill the card's memory: what is done with them as a whole takes simulated time, not the user's.
+#![cfg(not(target_family = "wasm"))]
 
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog;
