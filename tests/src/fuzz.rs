@@ -49,7 +49,7 @@ pub fn mc600_console(data: &[u8]) {
     let Some((&options, typed)) = data.split_first() else {
         return;
     };
-    let speed = ["1", "10", "fast", "3"][usize::from(options & 3)];
+    let speed = ["1", "10", "30", "3"][usize::from(options & 3)];
     let locked = ["no", "yes"][usize::from(options >> 2 & 1)];
     let mut card = Card::new(&[("speed", speed), ("locked", locked)]);
     let mut typed = typed.iter().take(LONGEST_TYPED);
@@ -177,7 +177,7 @@ fn stored(program: &Program) {
 
 /// Runs a program for a while, stops it, and lists, saves, renumbers and loads what is left.
 fn executed(listing: &str) {
-    let mut card = Card::new(&[("speed", "200")]);
+    let mut card = Card::new(&[("speed", "50")]);
     card.run(20);
     let station = card.controller();
     if station.load(&Slot::Program, listing).is_err() {
