@@ -10,6 +10,9 @@ use gloo_timers::future::TimeoutFuture;
 use js_sys::Date;
 use wasm_bindgen::JsValue;
 
+/// A call to come; dropped, it does not come.
+pub type Timer = Timeout;
+
 /// Milliseconds since 1970.
 pub fn now_ms() -> f64 {
     Date::now()
@@ -29,8 +32,7 @@ pub fn day_and_time(at_ms: f64) -> String {
 }
 
 /// Calls once, so many milliseconds from now; not if what this gives is dropped before.
-#[must_use]
-pub fn after(ms: u32, call: impl FnOnce() + 'static) -> Timeout {
+pub fn after(ms: u32, call: impl FnOnce() + 'static) -> Timer {
     Timeout::new(ms, call)
 }
 

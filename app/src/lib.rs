@@ -10,4 +10,5 @@ pub mod offline;
 pub mod panels;
 pub mod protocol;
 pub mod state;
+pub mod storage;
 pub mod worker;

@@ -4,9 +4,9 @@
 
 use js_sys::Promise;
 use leptos::prelude::*;
-use leptos::task::spawn_local;
+
 use leptos::wasm_bindgen::prelude::*;
-use wasm_bindgen_futures::JsFuture;
+use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{
     AddEventListenerOptions, RegistrationOptions, ServiceWorker, ServiceWorkerContainer,
     ServiceWorkerRegistration, ServiceWorkerUpdateViaCache, Url,

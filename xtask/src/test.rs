@@ -47,7 +47,7 @@ const CHECKS: [Check; 8] = [
     },
     Check {
         name: "wasm",
-        what: "the same scenarios in a headless browser",
+        what: "the same scenarios, and parts of the page, in a headless browser",
         needs: &[Rust, Libraries, Bindgen, Browser],
         run: wasm,
     },
@@ -148,17 +148,16 @@ fn native() -> Result<()> {
 }
 
 fn wasm() -> Result<()> {
-    let mut command = shell::cargo(&[
-        "test",
-        "--locked",
-        "--no-fail-fast",
-        "-p",
-        "motionbench-tests",
-        "--target",
-        "wasm32-unknown-unknown",
-    ]);
-    command.env("CHROMEDRIVER", found_browser()?.driver);
-    shell::run(command)
+    let driver = found_browser()?.driver;
+    let test = |package: &[&str]| {
+        let target = ["--target", "wasm32-unknown-unknown"];
+        let common = ["test", "--locked", "--no-fail-fast"];
+        let mut command = shell::cargo(&[&common[..], &target, package].concat());
+        command.env("CHROMEDRIVER", &driver);
+        shell::run(command)
+    };
+    test(&["-p", "motionbench-tests"])?;
+    test(&["-p", "motionbench-app", "--test", "*"])
 }
 
 fn end_to_end() -> Result<()> {

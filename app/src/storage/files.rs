@@ -1,0 +1,59 @@
+//! Files that the user saves and chooses.
+
+use js_sys::{Array, Promise};
+use leptos::prelude::document;
+use leptos::wasm_bindgen::prelude::*;
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, BlobPropertyBag, File, HtmlAnchorElement, HtmlInputElement, Url};
+
+use crate::state::project::{LARGEST, ProjectError};
+
+/// Gives the user a text as a file of that name, as downloads are given.
+///
+/// # Errors
+/// What the browser says.
+pub fn save(name: &str, text: &str) -> Result<(), JsValue> {
+    let options = BlobPropertyBag::new();
+    options.set_type("application/json");
+    let parts = Array::of1(&text.into());
+    let blob = Blob::new_with_str_sequence_and_options(&parts, &options)?;
+    let address = Url::create_object_url_with_blob(&blob)?;
+    let link: HtmlAnchorElement = document().create_element("a")?.unchecked_into();
+    link.set_href(&address);
+    link.set_download(name);
+    link.click();
+    // The click has taken the contents.
+    Url::revoke_object_url(&address)
+}
+
+/// Lets the user choose a project's file, and reads it; `None` if the user chose none. Only a press of the user's may
+/// lead to this.
+pub async fn choose() -> Option<Result<String, ProjectError>> {
+    let input: HtmlInputElement = document().create_element("input").ok()?.unchecked_into();
+    input.set_type("file");
+    input.set_accept(".json,application/json");
+    let chosen = Promise::new(&mut |resolve, _| {
+        // An input takes any listener.
+        for event in ["change", "cancel"] {
+            let _ = input.add_event_listener_with_callback(event, &resolve);
+        }
+    });
+    input.click();
+    let _ = JsFuture::from(chosen).await;
+    let file = input.files()?.get(0)?;
+    Some(read(&file).await)
+}
+
+/// The text of a file that may be a project's.
+///
+/// # Errors
+/// [`ProjectError`] if it is too large for one, or the browser cannot read it.
+pub async fn read(file: &File) -> Result<String, ProjectError> {
+    if file.size() > LARGEST as f64 {
+        return Err(ProjectError::TooLarge);
+    }
+    let text = JsFuture::from(file.text()).await;
+    text.ok()
+        .and_then(|text| text.as_string())
+        .ok_or_else(|| ProjectError::Broken("the browser cannot read the file".to_owned()))
+}
