@@ -3,7 +3,9 @@
 // What Leptos makes of a component is public, whatever the component is.
 #![allow(unreachable_pub)]
 
+mod dialog;
 mod draw;
+mod frame;
 mod room;
 mod scope;
 mod status;
@@ -25,12 +27,10 @@ pub fn mount() {
             <topbar::TopBar store />
             <Fault store />
             <update::UpdatePrompt updates />
-            <main class="workshop">
-                <terminal::Terminal store />
-                <scope::Scope store />
-            </main>
+            <frame::Frame store />
             <terminal::Compose store />
             <status::StatusLine store updates />
+            <frame::Tabs store />
         }
     });
 }

@@ -1,8 +1,15 @@
-//! The top bar: run, stop, power, speed.
+//! The top bar: run, stop, pause, step, power, speed, and what helps with them.
 
+use leptos::ev;
 use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Element, KeyboardEvent, MouseEvent};
 
+use super::dialog::Dialog;
+use super::frame;
 use crate::protocol::{Speed, ToWorker};
+use crate::state::keys::{Press, Shortcut, shortcut};
+use crate::state::layout::{Layout, Panel};
 use crate::state::{Device, Store, words};
 
 /// What can be chosen, and how it reads.
@@ -21,43 +28,113 @@ const SPEEDS: [(Speed, &str); 8] = [
 #[component]
 pub(super) fn TopBar(store: Store) -> impl IntoView {
     let name = Memo::new(move |_| store.device.with(|device| device.name.clone()));
-    let on = Memo::new(move |_| store.device.with(Device::is_on));
+    let help = RwSignal::new(false);
+    let listener = window_event_listener(ev::keydown, move |event| press(store, &event));
+    on_cleanup(move || listener.remove());
     // A press of the mouse does not take the keyboard from where the user types.
-    let keep_focus = |event: web_sys::MouseEvent| event.prevent_default();
+    let mousedown = move |event: MouseEvent| {
+        if !is_select(&event) {
+            event.prevent_default();
+        }
+    };
     view! {
-        <header class="topbar" on:mousedown=move |event| {
-            if !is_select(&event) { keep_focus(event) }
-        }>
+        <header class="topbar" on:mousedown=mousedown>
             <h1 class="brand">"Motion"<span>"bench"</span></h1>
             <span class="chip controller">{name}</span>
-            <button type="button" class="button primary" disabled=move || !on.get()
-                title="Types RUN on the console"
-                on:click=move |_| store.send(ToWorker::Run)>
-                <span class="icon run" aria-hidden="true"></span>"Run"
-            </button>
-            <button type="button" class="button" disabled=move || !on.get()
-                title="Sends Ctrl-C to the console"
-                on:click=move |_| store.send(ToWorker::Stop)>
-                <span class="icon stop" aria-hidden="true"></span>"Stop"
-            </button>
-            <button type="button" class="button power" role="switch"
-                aria-checked=move || on.get().to_string()
-                on:click=move |_| store.send(ToWorker::Power(!on.get()))>
-                <span class="lamp" aria-hidden="true"></span>
-                "Power"
-                <span class="muted state" aria-hidden="true">{move || if on.get() { "on" } else { "off" }}</span>
-            </button>
+            <Program store />
+            <Power store />
             <SpeedChoice store />
+            <button type="button" class="button help" on:click=move |_| help.set(true)>"Help"</button>
         </header>
+        <Dialog open=help title="Help"><Help /></Dialog>
     }
 }
 
-fn is_select(event: &web_sys::MouseEvent) -> bool {
-    use leptos::wasm_bindgen::JsCast;
+fn is_select(event: &MouseEvent) -> bool {
     let target = event
         .target()
-        .and_then(|target| target.dyn_into::<web_sys::Element>().ok());
+        .and_then(|target| target.dyn_into::<Element>().ok());
     target.is_some_and(|target| target.closest("select").is_ok_and(|found| found.is_some()))
+}
+
+/// A key that does the same wherever the keyboard is.
+fn press(store: Store, event: &KeyboardEvent) {
+    let key = event.key();
+    let press = Press {
+        key: &key,
+        ctrl: event.ctrl_key(),
+        shift: event.shift_key(),
+        other: event.alt_key() || event.meta_key(),
+        selection: false,
+    };
+    let Some(shortcut) = shortcut(press) else {
+        return;
+    };
+    event.prevent_default();
+    if event.repeat() && shortcut != Shortcut::Step {
+        return;
+    }
+    let device = |ask: fn(&Device) -> bool| store.device.with_untracked(ask);
+    match shortcut {
+        Shortcut::Run if device(Device::is_on) => run(store),
+        Shortcut::Stop if device(Device::is_on) => store.send(ToWorker::Stop),
+        Shortcut::Pause => store.freeze(),
+        Shortcut::Step if device(Device::can_step) => store.step(),
+        _ => {}
+    }
+}
+
+/// Starts the program, and where only the program is in sight shows what it does.
+fn run(store: Store) {
+    store.send(ToWorker::Run);
+    if frame::is_narrow() && store.layout.with_untracked(Layout::shown) == Panel::Program {
+        store.layout.update(|layout| layout.show(Panel::Terminal));
+    }
+}
+
+/// What starts and stops the program, and holds it.
+#[component]
+fn Program(store: Store) -> impl IntoView {
+    let off = Memo::new(move |_| store.device.with(|device| !device.is_on()));
+    let frozen = Memo::new(move |_| store.device.with(|device| device.frozen));
+    let cannot_step = Memo::new(move |_| store.device.with(|device| !device.can_step()));
+    view! {
+        <button type="button" class="button primary" disabled=off
+            title="Types RUN on the console (F5)" on:click=move |_| run(store)>
+            <span class="icon run" aria-hidden="true"></span>"Run"
+        </button>
+        <div class="group" role="group" aria-label="The program that runs">
+            <button type="button" class="button stop" disabled=off
+                title="Sends Ctrl-C to the console (Shift+F5)" on:click=move |_| store.send(ToWorker::Stop)>
+                <span class="icon stop" aria-hidden="true"></span>"Stop"
+            </button>
+            <button type="button" class="button pause" class:held=frozen
+                title=move || if frozen.get() { "Simulated time goes on (F2)" } else { "Freezes simulated time (F2)" }
+                on:click=move |_| store.freeze()>
+                {move || if frozen.get() { "Continue" } else { "Pause" }}
+            </button>
+            <button type="button" class="button step" disabled=cannot_step
+                title="Runs one statement, then freezes simulated time (F10)"
+                on:click=move |_| store.step()>
+                "Step"
+            </button>
+        </div>
+    }
+}
+
+/// The mains switch.
+#[component]
+fn Power(store: Store) -> impl IntoView {
+    let on = Memo::new(move |_| store.device.with(Device::is_on));
+    view! {
+        <button type="button" class="button power" role="switch" aria-checked=move || on.get().to_string()
+            title="The mains switch of the controller"
+            on:click=move |_| store.send(ToWorker::Power(!on.get()))>
+            <span class="lamp" aria-hidden="true"></span>
+            "Power"
+            <span class="muted state" aria-hidden="true">{move || if on.get() { "on" } else { "off" }}</span>
+        </button>
+    }
 }
 
 /// The speed asked for and the one reached.
@@ -75,10 +152,46 @@ fn SpeedChoice(store: Store) -> impl IntoView {
         view! { <option value=label prop:selected=selected>{label}</option> }
     });
     view! {
-        <label class="speed">
-            <span class="muted">"Speed"</span>
-            <select class="select" aria-label="Simulation speed" on:change=choose>{options}</select>
+        <div class="speed">
+            <select class="select" aria-label="Simulation speed" title="Simulated seconds in a second"
+                on:change=choose>{options}</select>
             <span class="muted reached">"reached "<span class="figures">{reached}</span></span>
-        </label>
+        </div>
+    }
+}
+
+/// What is what, and the keys.
+#[component]
+fn Help() -> impl IntoView {
+    let keys = [
+        ("F5", "Run the program"),
+        ("Shift+F5", "Stop it, as Ctrl-C in the terminal does"),
+        ("F2", "Freeze simulated time, or let it go on"),
+        ("F10", "Run one statement"),
+        ("F9", "In the program: set a breakpoint, or take it away"),
+        ("F8", "In the program: go to the next problem"),
+        (
+            "Page Up, Page Down",
+            "In the terminal: what was printed before and after",
+        ),
+        (
+            "Arrow keys, Enter",
+            "On a divider between two panels: move it, fold the panel away",
+        ),
+        (
+            "Tab, Shift+Tab",
+            "Go to the next part of the page, and back",
+        ),
+    ];
+    let row = |(key, what)| view! { <dt><kbd>{key}</kbd></dt><dd>{what}</dd> };
+    view! {
+        <div class="dialog-body">
+            <p>"The controller is simulated in this page, and keeps its own program. Run gives it the program that you see
+                and starts it."</p>
+            <p>"The terminal is its console: what you type there goes to the controller, character by character."</p>
+            <p>"The scope draws what the axis does."</p>
+            <h3>"Keys"</h3>
+            <dl class="keys-help">{keys.map(row)}</dl>
+        </div>
     }
 }

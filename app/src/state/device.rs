@@ -87,6 +87,11 @@ impl Device {
         self.status.as_ref().is_some_and(|status| status.power)
     }
 
+    /// Whether there is a next statement to run.
+    pub fn can_step(&self) -> bool {
+        self.running_line().is_some()
+    }
+
     /// What the program does.
     pub fn activity(&self) -> Activity {
         let Some(status) = self.status.as_ref().filter(|_| self.fault.is_none()) else {
@@ -95,6 +100,9 @@ impl Device {
         match status.run {
             _ if !status.power => Activity::Off,
             RunState::Idle => Activity::Idle,
+            RunState::Command | RunState::Running | RunState::Waiting(_) if self.frozen => {
+                Activity::Paused
+            }
             RunState::Command => Activity::Command,
             RunState::Running => Activity::Running,
             RunState::Waiting(Wait::Input) => Activity::WaitingForInput,

@@ -41,6 +41,29 @@ pub fn stroke(press: Press) -> Stroke {
     }
 }
 
+/// What a key does wherever the keyboard is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Shortcut {
+    Run,
+    Stop,
+    /// Simulated time stands still, or goes on.
+    Pause,
+    Step,
+}
+
+/// What a key does wherever the keyboard is: only keys that write nothing, that no screen reader takes, and of the
+/// browser's none but the one that would throw the page away.
+pub fn shortcut(press: Press) -> Option<Shortcut> {
+    match (press.key, press.ctrl, press.shift, press.other) {
+        ("F5", false, false, false) => Some(Shortcut::Run),
+        ("F5", false, true, false) => Some(Shortcut::Stop),
+        ("F2", false, false, false) => Some(Shortcut::Pause),
+        ("F10", false, false, false) => Some(Shortcut::Step),
+        _ => None,
+    }
+}
+
 /// What a typed or pasted text sends: any line end is a carriage return; what the line cannot carry is left out.
 pub fn sent(text: &str) -> String {
     text.replace("\r\n", "\r")
@@ -87,6 +110,32 @@ mod tests {
         );
         let shift = true;
         assert_eq!(stroke(Press { shift, ..ctrl_c }), Stroke::Leave);
+    }
+
+    #[test]
+    fn shortcuts_leave_the_browser_its_own() {
+        let ctrl = true;
+        let shift = true;
+        assert_eq!(shortcut(key("F5")), Some(Shortcut::Run));
+        assert_eq!(shortcut(Press { shift, ..key("F5") }), Some(Shortcut::Stop));
+        assert_eq!(
+            shortcut(Press { ctrl, ..key("F5") }),
+            None,
+            "loads the page again"
+        );
+        assert_eq!(
+            shortcut(Press {
+                shift,
+                ..key("F10")
+            }),
+            None,
+            "opens the menu of the thing"
+        );
+        assert_eq!(
+            shortcut(key("F8")),
+            None,
+            "goes to the next problem of the program"
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 pub mod device;
 pub mod editor;
 pub mod keys;
+pub mod layout;
 mod program;
 pub mod project;
 pub mod scope;

@@ -8,6 +8,7 @@ use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
 
 use super::editor::{EditorState, FIRST_PROGRAM};
+use super::layout::Layout;
 use super::scope::Scope;
 use super::terminal::Terminal;
 use super::{Device, News};
@@ -19,6 +20,8 @@ use crate::protocol::{ToWorker, Unloadable};
 pub struct Store {
     /// The controller.
     pub device: RwSignal<Device>,
+    /// How the page is laid out.
+    pub layout: RwSignal<Layout>,
     /// The terminal has the keyboard.
     pub typing: RwSignal<bool>,
     /// Grows when the terminal looks different.
@@ -43,6 +46,7 @@ impl Store {
     pub fn start() -> Store {
         let store = Store {
             device: RwSignal::default(),
+            layout: RwSignal::default(),
             typing: RwSignal::new(false),
             printed: RwSignal::new(0),
             recorded: RwSignal::new(0),

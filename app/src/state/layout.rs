@@ -1,0 +1,199 @@
+//! How the page is laid out: which panels there are, which of them are folded away, and how they share the room.
+//!
+//! The program stands on the left; on the right the dock, where the terminal and the inputs and outputs take turns,
+//! stands above the scope. Where there is room for one panel alone, it is the one that is `shown`.
+
+pub use super::project::Layout;
+
+/// A panel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Panel {
+    Program,
+    Terminal,
+    Io,
+    Scope,
+}
+
+/// What parts two panels, and can be moved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Divider {
+    /// Between the program and what is right of it.
+    Program,
+    /// Between the dock and the scope.
+    Dock,
+}
+
+/// What a panel has of the room at least, in thousandths.
+pub const LEAST: u16 = 200;
+/// What it has at most.
+pub const MOST: u16 = 800;
+/// So far a key moves a divider.
+pub const STEP: u16 = 25;
+
+impl Panel {
+    /// All there are, in the order of the page.
+    pub const ALL: [Panel; 4] = [Panel::Program, Panel::Terminal, Panel::Io, Panel::Scope];
+    /// Those that take turns in the dock.
+    pub const DOCK: [Panel; 2] = [Panel::Terminal, Panel::Io];
+
+    /// In a layout.
+    pub fn name(self) -> &'static str {
+        match self {
+            Panel::Program => "program",
+            Panel::Terminal => "terminal",
+            Panel::Io => "io",
+            Panel::Scope => "scope",
+        }
+    }
+
+    /// For people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Panel::Program => "Program",
+            Panel::Terminal => "Terminal",
+            Panel::Io => "Inputs and outputs",
+            Panel::Scope => "Scope",
+        }
+    }
+
+    /// For people with little room.
+    pub fn short_title(self) -> &'static str {
+        match self {
+            Panel::Io => "I/O",
+            panel => panel.title(),
+        }
+    }
+
+    /// What is folded away when it is: the panels of the dock are folded together.
+    fn place(self) -> &'static str {
+        match self {
+            Panel::Terminal | Panel::Io => "dock",
+            panel => panel.name(),
+        }
+    }
+}
+
+impl Divider {
+    /// The panel whose share it sets.
+    fn name(self) -> &'static str {
+        match self {
+            Divider::Program => "program",
+            Divider::Dock => "dock",
+        }
+    }
+
+    /// What that panel has until the user moves it.
+    pub fn usual(self) -> u16 {
+        match self {
+            Divider::Program => 450,
+            Divider::Dock => 380,
+        }
+    }
+}
+
+impl Layout {
+    /// What the panel before a divider has of the room, in thousandths.
+    pub fn share(&self, divider: Divider) -> u16 {
+        let share = self.shares.get(divider.name()).copied();
+        share.unwrap_or(divider.usual()).clamp(LEAST, MOST)
+    }
+
+    /// Moves a divider; too far is as far as it goes.
+    pub fn move_divider(&mut self, divider: Divider, share: u16) {
+        self.shares
+            .insert(divider.name().to_owned(), share.clamp(LEAST, MOST));
+    }
+
+    /// Whether a panel is folded away.
+    pub fn is_folded(&self, panel: Panel) -> bool {
+        self.folded.contains(panel.place())
+    }
+
+    /// Folds a panel away, or opens it. Dock and scope are not both folded: one has the room of the other.
+    pub fn fold(&mut self, panel: Panel, folded: bool) {
+        if !folded {
+            self.folded.remove(panel.place());
+            return;
+        }
+        self.folded.insert(panel.place().to_owned());
+        match panel {
+            Panel::Program => {}
+            Panel::Terminal | Panel::Io => self.fold(Panel::Scope, false),
+            Panel::Scope => self.fold(Panel::Terminal, false),
+        }
+    }
+
+    /// The panel that is shown where there is room for one.
+    pub fn shown(&self) -> Panel {
+        let shown = self.shown.as_deref();
+        let named = Panel::ALL
+            .into_iter()
+            .find(|panel| shown == Some(panel.name()));
+        named.unwrap_or(Panel::Terminal)
+    }
+
+    /// The panel that the dock shows.
+    pub fn docked(&self) -> Panel {
+        match self.shown() {
+            Panel::Io => Panel::Io,
+            _ => Panel::Terminal,
+        }
+    }
+
+    /// Brings a panel into sight.
+    pub fn show(&mut self, panel: Panel) {
+        self.shown = Some(panel.name().to_owned());
+        self.fold(panel, false);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_divider_stays_where_it_was_put_and_within_its_bounds() {
+        let mut layout = Layout::default();
+        assert_eq!(layout.share(Divider::Program), 450);
+        layout.move_divider(Divider::Program, 600);
+        assert_eq!(
+            (layout.share(Divider::Program), layout.share(Divider::Dock)),
+            (600, 380)
+        );
+        layout.move_divider(Divider::Dock, 990);
+        assert_eq!(layout.share(Divider::Dock), MOST);
+        // From a file that someone has changed.
+        layout.shares.insert("dock".to_owned(), 3);
+        assert_eq!(layout.share(Divider::Dock), LEAST);
+    }
+
+    #[test]
+    fn the_right_side_is_never_empty() {
+        let mut layout = Layout::default();
+        layout.fold(Panel::Scope, true);
+        layout.fold(Panel::Terminal, true);
+        assert!(layout.is_folded(Panel::Io) && !layout.is_folded(Panel::Scope));
+        layout.fold(Panel::Scope, true);
+        assert!(layout.is_folded(Panel::Scope) && !layout.is_folded(Panel::Terminal));
+        layout.fold(Panel::Program, true);
+        assert!(layout.is_folded(Panel::Program) && layout.is_folded(Panel::Scope));
+    }
+
+    #[test]
+    fn what_is_shown_is_open_and_in_the_dock_if_it_belongs_there() {
+        let mut layout = Layout::default();
+        assert_eq!(
+            (layout.shown(), layout.docked()),
+            (Panel::Terminal, Panel::Terminal)
+        );
+        layout.fold(Panel::Terminal, true);
+        layout.show(Panel::Io);
+        assert_eq!((layout.shown(), layout.docked()), (Panel::Io, Panel::Io));
+        assert!(!layout.is_folded(Panel::Io));
+        layout.show(Panel::Scope);
+        assert_eq!(layout.docked(), Panel::Terminal);
+        layout.shown = Some("of another version".to_owned());
+        assert_eq!(layout.shown(), Panel::Terminal);
+    }
+}
