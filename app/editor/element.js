@@ -30,6 +30,23 @@ const MOST_UNDONE = 100_000;
 /** Marks a change that the page itself made. */
 const byPage = Annotation.define();
 
+/**
+ * Text that replaces a selection or has several lines: Chromium would give what it types there an inline style, which
+ * the page's policy forbids. So the editor puts it in itself.
+ */
+function replaceBySelf(event, view) {
+  const { state } = view;
+  const text = event.data ?? "";
+  const simple = state.selection.ranges.every((range) => range.empty) && !text.includes("\n");
+  if (event.inputType !== "insertText" || event.isComposing || simple) {
+    return false;
+  }
+  if (!state.readOnly) {
+    view.dispatch(state.replaceSelection(text), { userEvent: "input.type", scrollIntoView: true });
+  }
+  return true;
+}
+
 class ProgramEditor extends HTMLElement {
   #view;
   #readOnly = new Compartment();
@@ -75,12 +92,13 @@ class ProgramEditor extends HTMLElement {
     });
   }
 
-  /** Changes part of a line as the user would: undone, told to the page, checked at once. */
+  /** Changes part of a line as the user would: as one step that can be undone, told to the page, checked at once. */
   replace(line, from, to, text) {
     const { from: start } = this.#line(line);
     this.#view.dispatch({
       changes: { from: start + from, to: start + to, insert: text },
       selection: { anchor: start + from + text.length },
+      annotations: isolateHistory.of("full"),
       scrollIntoView: true,
     });
     check(this.#view);
@@ -146,13 +164,14 @@ class ProgramEditor extends HTMLElement {
         history({ minDepth: MOST_UNDONE }),
         search({ top: true }),
         highlightSelectionMatches(),
-        drawSelection(),
+        drawSelection({ cursorBlinkRate: matchMedia("(prefers-reduced-motion: reduce)").matches ? 0 : 1200 }),
         dropCursor(),
         rectangularSelection(),
         EditorState.allowMultipleSelections.of(true),
         this.#readOnly.of([]),
         tooltips({ position: "fixed" }),
         EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: "characters", tabindex: "0" }),
+        EditorView.domEventHandlers({ beforeinput: replaceBySelf }),
         EditorView.updateListener.of((update) => this.#tell(update)),
         EditorState.phrases.of(phrases),
         theme,

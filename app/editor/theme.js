@@ -145,4 +145,9 @@ const panel = {
   ".cm-searchMatch-selected": { backgroundColor: tint("--lamp", 15), outlineWidth: "2px" },
 };
 
-export const theme = EditorView.theme({ ...text, ...marks, ...tips, ...faults, ...panel });
+/** What is said by a background alone keeps it where the system chooses the colours. */
+const forced = {
+  ".cm-selectionBackground, .running, .breakpoint, .cm-searchMatch": { forcedColorAdjust: "none" },
+};
+
+export const theme = EditorView.theme({ ...text, ...marks, ...tips, ...faults, ...panel, ...forced });

@@ -3,9 +3,9 @@
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-
 use motionbench_core::language::Diagnostic;
 
+use crate::state::Store;
 use crate::state::editor::lines::Edit;
 use crate::state::editor::{EditorState, Toggled};
 
@@ -15,15 +15,10 @@ mod programs;
 
 use element::{Answers, ProgramEditor};
 
-/// The editor of a program. `typing` tells whether it has the keyboard; `held`, whether the program is held at a line,
-/// which is then brought into sight; `send` loads the text into the controller.
+/// The editor of the program.
 #[component]
-pub(super) fn Editor(
-    editor: RwSignal<EditorState>,
-    typing: RwSignal<bool>,
-    #[prop(into)] held: Signal<bool>,
-    send: Callback<()>,
-) -> impl IntoView {
+pub(super) fn Editor(store: Store) -> impl IntoView {
+    let editor = store.editor;
     let node = NodeRef::<html::Custom<&'static str>>::new();
     let element = StoredValue::<Option<ProgramEditor>, _>::new_local(None);
     let problems = RwSignal::new(Vec::new());
@@ -35,18 +30,19 @@ pub(super) fn Editor(
             failed.set(true);
             return;
         }
-        start(&node, editor, problems, cursor);
+        start(&node, store, problems, cursor);
         element.set_value(Some(node.clone()));
-        show(editor, held, node);
+        show_text(editor, node.clone());
+        show_marks(store, node);
     });
     on_cleanup(move || {
         element.try_with_value(|element| element.as_ref().map(ProgramEditor::stop));
     });
     let agreement = Memo::new(move |_| editor.with(EditorState::agreement));
     view! {
-        <section class="panel editor" aria-labelledby="editor-title" class:typing=typing
-            on:focusin=move |_| typing.set(true)
-            on:focusout=move |_| typing.set(false)>
+        <section class="panel editor" aria-labelledby="editor-title" class:typing=store.editing
+            on:focusin=move |_| store.editing.set(true)
+            on:focusout=move |_| store.editing.set(false)>
             <header class="panel-head">
                 <h2 id="editor-title">"Program"</h2>
                 <span class="muted">{move || agreement.get().words()}</span>
@@ -54,8 +50,9 @@ pub(super) fn Editor(
             <Show when=move || failed.get()>
                 <p class="sorry" role="alert">"The editor could not be loaded. Reload the page to try again."</p>
             </Show>
-            <programs::TwoPrograms editor send />
+            <programs::TwoPrograms store />
             <program-editor node_ref=node></program-editor>
+            <programs::Refusal store element />
             <problems::Problems editor problems cursor element />
         </section>
     }
@@ -64,10 +61,11 @@ pub(super) fn Editor(
 /// Gives the element its text, and answers what it asks.
 fn start(
     element: &ProgramEditor,
-    editor: RwSignal<EditorState>,
+    store: Store,
     problems: RwSignal<Vec<Diagnostic>>,
     cursor: RwSignal<u32>,
 ) {
+    let editor = store.editor;
     let announcer = element.clone();
     let answers = Answers {
         problems: move || {
@@ -77,17 +75,16 @@ fn start(
             json
         },
         edited: move |text: String, edits: Vec<Edit>| {
-            editor.update(|editor| editor.edit(text, &edits))
+            editor.update(|editor| editor.edit(text, &edits));
+            store.refusal.set(None);
         },
         cursor: move |line| cursor.set(line),
         toggle: move |line| {
             let toggled = editor.try_update(|editor| editor.toggle_breakpoint(line));
-            let number = editor
-                .with_untracked(|editor| editor.device_line(line))
-                .unwrap_or(line + 1);
+            let name = editor.with_untracked(|editor| editor.line_name(line));
             announcer.announce(&match toggled {
-                Some(Toggled::Set) => format!("Breakpoint at line {number}"),
-                Some(Toggled::Cleared) => format!("No breakpoint at line {number}"),
+                Some(Toggled::Set) => format!("Breakpoint at {name}"),
+                Some(Toggled::Cleared) => format!("No breakpoint at {name}"),
                 Some(Toggled::Blank) | None => "Nothing to stop at in this line".to_owned(),
             });
         },
@@ -96,21 +93,31 @@ fn start(
     element.begin(kind, &text, answers);
 }
 
-/// Keeps what the element shows as the state is.
-fn show(editor: RwSignal<EditorState>, held: Signal<bool>, element: ProgramEditor) {
-    let takes = Memo::new(move |_| editor.with(EditorState::takes));
-    let texts = element.clone();
-    Effect::new(move |before: Option<u64>| {
-        let takes = takes.get();
-        if before.is_some_and(|before| before != takes) {
-            editor.with_untracked(|editor| texts.set_text(editor.text()));
-        }
-        takes
+/// Shows another text when the state has one that was not typed here.
+fn show_text(editor: RwSignal<EditorState>, element: ProgramEditor) {
+    let counts = Memo::new(move |_| editor.with(|editor| (editor.opens(), editor.takes())));
+    Effect::new(move |before: Option<(u64, u64)>| {
+        let now = counts.get();
+        editor.with_untracked(|editor| match before {
+            Some((opens, _)) if opens != now.0 => {
+                element.open(editor.text());
+                // They may be at the same lines as before.
+                element.set_breakpoints(editor.breakpoints());
+            }
+            Some((_, takes)) if takes != now.1 => element.set_text(editor.text()),
+            _ => {}
+        });
+        now
     });
-    let breakpoints = Memo::new(move |_| editor.with(EditorState::breakpoints));
+}
+
+/// Shows the breakpoints and the line that runs; a line at which the program is held is brought into sight.
+fn show_marks(store: Store, element: ProgramEditor) {
+    let breakpoints = Memo::new(move |_| store.editor.with(EditorState::breakpoints));
     let dots = element.clone();
     Effect::new(move |_| dots.set_breakpoints(breakpoints.get()));
-    let running = Memo::new(move |_| editor.with(EditorState::running));
+    let running = Memo::new(move |_| store.editor.with(EditorState::running));
+    let held = Memo::new(move |_| store.is_held());
     Effect::new(move |_| {
         let line = running.get().and_then(|line| i32::try_from(line).ok());
         element.set_running(line.unwrap_or(-1), held.get());

@@ -1,6 +1,6 @@
 //! The program that the user edits, its breakpoints, and how it stands to the controller's own.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use motionbench_core::catalog::Kind;
 use motionbench_core::controller::Revision;
@@ -124,12 +124,19 @@ impl EditorState {
         problems
     }
 
-    /// Begins with another text, which has nothing to do with this one, and its breakpoints.
+    /// Begins with another text, which has nothing to do with this one, and its breakpoints. A program that the
+    /// controller got from here stays one that may be replaced.
     pub fn open(&mut self, text: &str, breakpoints: impl IntoIterator<Item = u32>) {
+        let mut loaded = self.loaded_now().cloned();
+        if let Some(loaded) = &mut loaded {
+            loaded.places.follow_map(&BTreeMap::new());
+        }
         *self = EditorState {
             opens: self.opens + 1,
+            takes: self.takes,
             breakpoints: breakpoints.into_iter().collect(),
             running: self.running,
+            loaded,
             controller: self.controller.take(),
             ..EditorState::new(self.kind, text)
         };
@@ -186,6 +193,14 @@ impl EditorState {
         lines::device_line(self.kind, self.line(line)?)
     }
 
+    /// What to call a line of the text: by the controller's number where it has one.
+    pub fn line_name(&self, line: u32) -> String {
+        match self.device_line(line) {
+            Some(number) => number.to_string(),
+            None => format!("line {}", line + 1),
+        }
+    }
+
     /// Sets a breakpoint or clears it.
     pub fn toggle_breakpoint(&mut self, line: u32) -> Toggled {
         if self.breakpoints.remove(&line) {
@@ -239,6 +254,8 @@ impl EditorState {
     /// The controller refused what was sent.
     pub fn refused(&mut self) {
         self.sent = None;
+        // What was heard of another program meanwhile was let pass.
+        self.controller = None;
     }
 
     /// Whether the controller's program and its running line are as they were when last heard of.

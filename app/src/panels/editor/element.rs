@@ -36,6 +36,8 @@ extern "C" {
     fn start(this: &ProgramEditor, text: &str);
     #[wasm_bindgen(method)]
     pub(super) fn stop(this: &ProgramEditor);
+    #[wasm_bindgen(method)]
+    pub(super) fn open(this: &ProgramEditor, text: &str);
     #[wasm_bindgen(method, js_name = setText)]
     pub(super) fn set_text(this: &ProgramEditor, text: &str);
     #[wasm_bindgen(method)]
@@ -44,6 +46,8 @@ extern "C" {
     pub(super) fn set_breakpoints(this: &ProgramEditor, lines: Vec<u32>);
     #[wasm_bindgen(method, js_name = setRunning)]
     pub(super) fn set_running(this: &ProgramEditor, line: i32, follow: bool);
+    #[wasm_bindgen(method, js_name = setReadOnly)]
+    pub(super) fn set_read_only(this: &ProgramEditor, read_only: bool);
     #[wasm_bindgen(method, js_name = goTo)]
     pub(super) fn go_to(this: &ProgramEditor, line: u32, column: u32);
     #[wasm_bindgen(method, js_name = nextProblem)]

@@ -4,7 +4,7 @@ use leptos::prelude::*;
 use motionbench_core::language::{Cure, Diagnostic, Severity};
 
 use super::element::ProgramEditor;
-use crate::state::editor::EditorState;
+use crate::state::editor::{EditorState, MOST_PROBLEMS};
 
 /// What is wrong with the program; of several, what is wrong where the cursor is.
 #[component]
@@ -25,6 +25,11 @@ pub(super) fn Problems(
         };
         let count = problems.with(Vec::len);
         let several = count > 1;
+        let all = if count < MOST_PROBLEMS {
+            count.to_string()
+        } else {
+            format!("{count} or more")
+        };
         let Diagnostic {
             line,
             span,
@@ -33,8 +38,7 @@ pub(super) fn Problems(
             cause,
             cure,
         } = problem;
-        let number = editor.with_untracked(|editor| editor.device_line(line));
-        let name = number.map_or_else(|| format!("line {}", line + 1), |number| number.to_string());
+        let name = editor.with_untracked(|editor| editor.line_name(line));
         let go = move |_| act(&|element| element.go_to(line, span.start));
         let mend = move |cure: Cure| {
             let Cure {
@@ -56,7 +60,7 @@ pub(super) fn Problems(
                 </p>
                 <Show when=move || several>
                     <button type="button" class="link count" title="Next problem (F8)" on:click=next>
-                        {index + 1}" of "{count}
+                        {index + 1}" of "{all.clone()}
                     </button>
                 </Show>
             </div>

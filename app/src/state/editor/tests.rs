@@ -263,11 +263,15 @@ fn another_text_is_begun_with_its_own_breakpoints() {
     assert_eq!(desk.editor.text(), "10 END\n20 END");
     assert_eq!(desk.editor.breakpoints(), [1]);
     assert_eq!(desk.editor.opens(), 1);
-    // The controller still has the one before; its listing tells.
+    // The controller still has the one before, which came from here.
+    assert_eq!(desk.agreement(), Agreement::EditorChanged);
+    assert_eq!(desk.editor.document_line(10), None);
+    assert_eq!(desk.editor.breakpoints_as_device_lines(), NONE);
     desk.elsewhere(PROGRAM);
     assert_eq!(desk.agreement(), Agreement::ControllerDiffers);
     desk.editor.open(PROGRAM, []);
     assert_eq!(desk.agreement(), Agreement::Same);
+    assert_eq!(desk.editor.document_line(10), Some(0));
 }
 
 #[test]
