@@ -120,7 +120,8 @@ fn Screen(store: Store, screen: NodeRef<html::Div>) -> impl IntoView {
         let drawn = ever.get_value();
         store.with_terminal(|terminal| {
             ever.set_value(terminal.ever());
-            let flood = terminal.ever() - drawn > FLOOD;
+            // A screen that shrinks may have fewer rows than before.
+            let flood = terminal.ever().saturating_sub(drawn) > FLOOD;
             above.set(if flood { terminal.above() } else { 0 });
             rows.set(if flood {
                 terminal.screen()
