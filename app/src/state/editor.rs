@@ -1,6 +1,6 @@
 //! The program that the user edits, its breakpoints, and how it stands to the controller's own.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use motionbench_core::catalog::Kind;
 use motionbench_core::controller::Revision;
@@ -10,7 +10,7 @@ pub mod lines;
 pub mod programs;
 
 use super::words;
-use lines::Edit;
+use lines::{Edit, Moved};
 use programs::{Difference, Loaded, Sent};
 
 /// What is in the editor on a first visit: moves the axis to and fro within two seconds, and says so.
@@ -127,9 +127,14 @@ impl EditorState {
     /// Begins with another text, which has nothing to do with this one, and its breakpoints. A program that the
     /// controller got from here stays one that may be replaced.
     pub fn open(&mut self, text: &str, breakpoints: impl IntoIterator<Item = u32>) {
+        let text = lines::with_line_feeds(text);
         let mut loaded = self.loaded_now().cloned();
         if let Some(loaded) = &mut loaded {
-            loaded.places.follow_map(&BTreeMap::new());
+            loaded.places = if loaded.text == text {
+                Moved::none(&text)
+            } else {
+                Moved::all_gone()
+            };
         }
         *self = EditorState {
             opens: self.opens + 1,
@@ -138,7 +143,7 @@ impl EditorState {
             running: self.running,
             loaded,
             controller: self.controller.take(),
-            ..EditorState::new(self.kind, text)
+            ..EditorState::new(self.kind, &text)
         };
         self.agree_with_listing();
         self.compare_with_loaded();

@@ -60,6 +60,11 @@ impl Moved {
         )
     }
 
+    /// No line of the earlier text is left.
+    pub fn all_gone() -> Moved {
+        Moved(Vec::new())
+    }
+
     /// The text was edited.
     pub fn follow(&mut self, edit: &Edit) {
         for place in &mut self.0 {

@@ -272,6 +272,9 @@ fn another_text_is_begun_with_its_own_breakpoints() {
     desk.editor.open(PROGRAM, []);
     assert_eq!(desk.agreement(), Agreement::Same);
     assert_eq!(desk.editor.document_line(10), Some(0));
+    desk.load();
+    desk.editor.open(PROGRAM, []);
+    assert_eq!(desk.editor.document_line(40), Some(3));
 }
 
 #[test]
