@@ -12,8 +12,12 @@ import { activateHover, closeHoverTooltips, hasHoverTooltips, hoverTooltip, keym
 const TYPED = /[A-Za-z_][A-Za-z0-9_]*[$%]?$/;
 /** Letters after which a list opens by itself: names of variables are short. */
 const ENOUGH = 2;
+/** Words of a list that are shown at a time: so many need no scrolling, and the arrow keys bring the others. */
+const MOST_OFFERED = 7;
 /** Kinds of words that are rarely wanted in a program stand last. */
 const RARE = new Set(["command", "not-implemented"]);
+/** Kinds whose name says too little. */
+const SAID = { io: "input, output", sysvar: "system variable" };
 /** Where no word is completed. */
 const PROSE = new Set(["comment", "text"]);
 
@@ -49,7 +53,7 @@ export function help(editor) {
     .filter(({ word }) => /^[A-Z]/i.test(word))
     .map((row) => ({
       label: row.word,
-      detail: row.support.Absent ? "not simulated" : row.kind,
+      detail: row.support.Absent ? "not simulated" : (SAID[row.kind] ?? row.kind),
       boost: row.support.Absent ? -99 : RARE.has(row.kind) ? -50 : 0,
       info: () => explained(row),
     }));
@@ -113,7 +117,7 @@ export function help(editor) {
 
   return [
     // Nothing is chosen at first, so that Enter ends a line: `NEXT N` stays what it is.
-    autocompletion({ override: [complete], selectOnOpen: false, icons: false }),
+    autocompletion({ override: [complete], selectOnOpen: false, icons: false, maxRenderedOptions: MOST_OFFERED }),
     hover,
     keymap.of([
       { key: "Tab", run: take },

@@ -36,7 +36,7 @@ const text = {
   "&.cm-focused": { outline: "none" },
   ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "var(--code-line)", scrollbarWidth: "thin" },
   ".cm-content": { padding: ".5rem 0", caretColor: "var(--ink)" },
-  ".cm-line": { padding: "0 .75rem 0 .25rem" },
+  ".cm-line": { padding: "0 .75rem 0 var(--code-indent)" },
   ".cm-cursor, .cm-dropCursor": { borderLeftColor: "var(--ink)", borderLeftWidth: "1.5px" },
   ".cm-selectionBackground": { background: tint("--muted", 20) },
   "&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground": { background: tint("--accent", 22) },
@@ -71,7 +71,7 @@ const tips = {
   ".help .syntax": { fontFamily: "var(--mono)", fontWeight: "600" },
   ".help p": { margin: ".25rem 0 0" },
   ".help .source": { color: "var(--muted)", fontSize: ".75rem" },
-  ".cm-tooltip.cm-tooltip-autocomplete > ul": { maxHeight: "12.5rem", font: "inherit", fontFamily: "var(--mono)" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul": { maxHeight: "none", font: "inherit", fontFamily: "var(--mono)" },
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li": {
     display: "flex",
     gap: "1rem",
