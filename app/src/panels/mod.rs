@@ -3,10 +3,15 @@
 // What Leptos makes of a component is public, whatever the component is.
 #![allow(unreachable_pub)]
 
+mod axis;
 mod dialog;
 mod draw;
+mod estop;
 mod frame;
+mod io;
+mod popover;
 mod room;
+mod save;
 mod scope;
 mod status;
 mod terminal;
@@ -25,6 +30,7 @@ pub fn mount() {
         let updates = Updates::start();
         view! {
             <topbar::TopBar store />
+            <estop::EStopNotice store />
             <Fault store />
             <update::UpdatePrompt updates />
             <frame::Frame store />

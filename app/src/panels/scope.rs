@@ -5,135 +5,164 @@ use leptos::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use super::{draw, room};
-use crate::state::scope::{Scope as State, View};
-use crate::state::{Store, words};
+use crate::state::Store;
+use crate::state::scope::{Strip, folded};
 
+mod controls;
+mod cursors;
+mod export;
 mod fine;
+mod gestures;
 mod plot;
+mod strip;
 
+use controls::Controls;
+use cursors::Cursors;
 use plot::{Colors, Surface};
+use strip::StripView;
 
-/// The strips that there are, from the top; the time axis is below them.
-const STRIPS: usize = 2;
+/// Heights as in the style sheet, in the page's own size of text: of a strip with its plot at least, of one without,
+/// for the mouse and for fingers, and of the time axis.
+const STRIP: f64 = 5.0;
+const FOLDED: f64 = 2.0;
+const FOLDED_TOUCHED: f64 = 2.75;
+const TIME_AXIS: f64 = 1.75;
+/// Where fingers are to be expected, as in the style sheet.
+const TOUCHED: &str = "(max-width: 43.75rem), (pointer: coarse)";
+
+/// The canvases that are in the page, by the names of their strips.
+#[derive(Clone, Copy)]
+struct Sheets {
+    strips: StoredValue<Vec<(String, HtmlCanvasElement)>, LocalStorage>,
+    time: NodeRef<html::Canvas>,
+    /// Grows when there is other room.
+    changed: RwSignal<u64>,
+}
+
+impl Sheets {
+    fn new() -> Sheets {
+        Sheets {
+            strips: StoredValue::new_local(Vec::new()),
+            time: NodeRef::new(),
+            changed: RwSignal::new(0),
+        }
+    }
+
+    /// Fits a canvas to the room that its frame has, now and when it changes.
+    fn fit(self, canvas: HtmlCanvasElement) {
+        // Its frame, not the canvas itself, whose size follows what is drawn.
+        let Some(frame) = canvas.parent_element() else {
+            return;
+        };
+        room::watch(&frame, move |width, height| {
+            plot::fit(&canvas, width, height);
+            self.changed.update(|count| *count += 1);
+        });
+    }
+}
 
 /// The scope.
 #[component]
 pub(super) fn Scope(store: Store) -> impl IntoView {
-    let canvases: [NodeRef<html::Canvas>; STRIPS] = std::array::from_fn(|_| NodeRef::new());
-    let axis = NodeRef::<html::Canvas>::new();
+    let sheets = Sheets::new();
+    let draw = draw::before_paint(move || draw(store, sheets));
+    sheets.time.on_load(move |canvas| sheets.fit(canvas));
+    plot::on_color_scheme(draw.clone());
+    Effect::new(move |_| {
+        store.recorded.track();
+        sheets.changed.track();
+        draw();
+    });
+    let scroller = NodeRef::<html::Div>::new();
+    let height = RwSignal::new(0.0);
+    scroller.on_load(move |element| {
+        room::watch(&element, move |_, now| height.set(now / rem()));
+    });
+    let folds = Memo::new(move |_| {
+        store.recorded.track();
+        store.with_scope(|scope| folds(scope.strips(), height.get()))
+    });
+    let names = Memo::new(move |_| {
+        folds.with(|folds| {
+            folds
+                .iter()
+                .map(|(name, _)| name.clone())
+                .collect::<Vec<_>>()
+        })
+    });
     let shown = Memo::new(move |_| {
         store.recorded.track();
         store.with_scope(|scope| scope.view().is_some())
     });
-    let draw = draw::before_paint(move || {
-        let Some(colors) = Colors::of_page() else {
-            return;
-        };
-        store.with_scope(|scope| {
-            let Some(view) = scope.view() else { return };
-            for (strip, canvas) in canvases.iter().enumerate() {
-                if let Some(canvas) = canvas.get_untracked() {
-                    draw_strip(scope, strip, view, &canvas, &colors);
-                }
-            }
-            if let Some(canvas) = axis.get_untracked().and_then(|canvas| Surface::of(&canvas)) {
-                plot::time_axis(&canvas, view.scale(), &colors);
-            }
-        });
-    });
-    redraw(store, &canvases, axis, draw);
-    let strips = canvases.into_iter().enumerate();
+    let over = NodeRef::<html::Div>::new();
     view! {
         <section class="panel scope" aria-labelledby="scope-title">
             <header class="panel-head">
                 <h2 id="scope-title">"Scope"</h2>
-                <span class="muted">"from the start of motion"</span>
+                <Controls store sheets />
             </header>
-            <div class="strips">
-                {strips.map(|(strip, canvas)| view! { <StripView store strip canvas /> }).collect_view()}
-                <div class="axis"><canvas node_ref=axis aria-hidden="true"></canvas></div>
-                <Show when=move || !shown.get()><FirstSteps /></Show>
+            <super::axis::Axis store />
+            <div class="scope-room" node_ref=scroller>
+                <div class="strips">
+                    <For each=move || names.get() key=String::clone let:name>
+                        <StripView store sheets folds name />
+                    </For>
+                    <div class="strip time">
+                        <cursors::Between store />
+                        <div class="axis"><canvas node_ref=sheets.time aria-hidden="true"></canvas></div>
+                    </div>
+                    <gestures::Plots store over>
+                        <Cursors store over />
+                    </gestures::Plots>
+                    <Show when=move || !shown.get()><FirstSteps /></Show>
+                </div>
             </div>
+            <super::io::Io store />
         </section>
     }
 }
 
-/// Draws when there is more to show, when the room changes, and when the page turns light or dark.
-fn redraw(
-    store: Store,
-    canvases: &[NodeRef<html::Canvas>; STRIPS],
-    axis: NodeRef<html::Canvas>,
-    draw: impl Fn() + Clone + 'static,
-) {
-    for canvas in canvases.iter().chain([&axis]) {
-        let draw = draw.clone();
-        canvas.on_load(move |canvas| {
-            // Its frame, not the canvas itself, whose size follows what is drawn.
-            let Some(frame) = canvas.parent_element() else {
-                return;
-            };
-            room::watch(&frame, move |width, height| {
-                plot::fit(&canvas, width, height);
-                draw();
-            });
+/// The page's own size of text, CSS pixels.
+fn rem() -> f64 {
+    Colors::of_page().map_or(16.0, |colors| colors.rem)
+}
+
+/// The strips by name, and which are folded in a room of this height.
+fn folds(strips: &[Strip], height: f64) -> Vec<(String, bool)> {
+    let touched = window().match_media(TOUCHED).ok().flatten();
+    let touched = touched.is_some_and(|query| query.matches());
+    let folded_height = if touched { FOLDED_TOUCHED } else { FOLDED };
+    let room = height - TIME_AXIS - folded_height * strips.len() as f64;
+    let plots = (room / (STRIP - folded_height)).max(0.0) as usize;
+    let names = strips.iter().map(|strip| strip.name.clone());
+    names.zip(folded(strips, plots)).collect()
+}
+
+/// Draws all that is in sight.
+fn draw(store: Store, sheets: Sheets) {
+    let Some(colors) = Colors::of_page() else {
+        return;
+    };
+    store.with_scope(|scope| {
+        let Some(view) = scope.view() else { return };
+        sheets.strips.with_value(|strips| {
+            for (name, canvas) in strips {
+                let (Some(strip), Some(surface)) =
+                    (scope.strip(name), Surface::of(canvas, &colors))
+                else {
+                    continue;
+                };
+                let picture = scope.picture(strip, view, surface.columns(), surface.marks());
+                if let Some(picture) = picture {
+                    plot::strip(&surface, view.scale(), &picture, &colors);
+                }
+            }
         });
-    }
-    plot::on_color_scheme(draw.clone());
-    Effect::new(move |_| {
-        store.recorded.track();
-        draw();
+        let time = sheets.time.get_untracked();
+        if let Some(surface) = time.and_then(|canvas| Surface::of(&canvas, &colors)) {
+            plot::time_axis(&surface, view.scale(), &colors);
+        }
     });
-}
-
-fn draw_strip(
-    scope: &State,
-    strip: usize,
-    view: View,
-    canvas: &HtmlCanvasElement,
-    colors: &Colors,
-) {
-    let Some(surface) = Surface::of(canvas) else {
-        return;
-    };
-    let Some(scale) = scope.scale(strip, view, surface.marks()) else {
-        return;
-    };
-    let line = scope.line(strip, view, surface.columns());
-    plot::strip(&surface, view.scale(), scale, &line, colors, strip);
-}
-
-/// One strip: its name, its newest value, and its line.
-#[component]
-fn StripView(store: Store, strip: usize, canvas: NodeRef<html::Canvas>) -> impl IntoView {
-    let read = move |read: fn(&State, usize) -> String| {
-        Memo::new(move |_| {
-            // The name and unit come with the controller's.
-            store.device.with(|device| device.name.len());
-            store.recorded.track();
-            store.with_scope(|scope| read(scope, strip))
-        })
-    };
-    let label = read(|scope, strip| {
-        scope
-            .strips()
-            .get(strip)
-            .map_or_else(String::new, |s| s.label.to_owned())
-    });
-    let unit = read(|scope, strip| {
-        scope
-            .strips()
-            .get(strip)
-            .map_or_else(String::new, |s| words::unit(&s.unit))
-    });
-    let value = read(|scope, strip| words::value(scope.newest(strip).unwrap_or(f64::NAN)));
-    view! {
-        <dl class="strip-label">
-            <dt>{label}</dt>
-            <dd class="value">{value}</dd>
-            <dd class="unit">{unit}</dd>
-        </dl>
-        <div class="strip-plot"><canvas node_ref=canvas aria-hidden="true"></canvas></div>
-    }
 }
 
 /// What to do, as long as nothing has moved.

@@ -6,6 +6,7 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, MouseEvent};
 
 use super::dialog::Dialog;
+use super::estop::EStop;
 use super::frame;
 use crate::protocol::{Speed, ToWorker};
 use crate::state::keys::{Press, Shortcut, shortcut};
@@ -45,6 +46,7 @@ pub(super) fn TopBar(store: Store) -> impl IntoView {
             <Power store />
             <SpeedChoice store />
             <button type="button" class="button help" on:click=move |_| help.set(true)>"Help"</button>
+            <EStop store />
         </header>
         <Dialog open=help title="Help"><Help /></Dialog>
     }

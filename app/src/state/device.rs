@@ -5,6 +5,7 @@ use motionbench_core::exec::Wait;
 use motionbench_core::serial::{LineSettings, Parity};
 use motionbench_core::time::Nanos;
 
+use super::wiring::Drive;
 use super::{Fault, News};
 use crate::protocol::Speed;
 
@@ -127,6 +128,20 @@ impl Device {
         self.status.as_ref().is_some_and(|status| status.moving)
     }
 
+    /// The state of the drive, when the emergency stop is pressed or not, and its ENABLE is on or not.
+    pub fn drive(&self, stopped: bool, enable: bool) -> Drive {
+        match self.status.as_ref().filter(|status| status.power) {
+            None => Drive::Off,
+            Some(status) => match &status.fault {
+                Some(words) => Drive::Fault(words.clone()),
+                None if stopped => Drive::Stopped,
+                None if status.enabled => Drive::Enabled,
+                None if !enable => Drive::NotAllowed,
+                None => Drive::Disabled,
+            },
+        }
+    }
+
     /// The error that the last program ended with, in the device's words.
     pub fn error(&self) -> Option<&str> {
         self.status.as_ref()?.error.as_deref()
@@ -213,6 +228,20 @@ mod tests {
         device.hear(&News::Fault(Fault::Died));
         assert_eq!(device.activity(), Activity::Failed);
         assert!(!device.activity().is_running());
+    }
+
+    #[test]
+    fn the_drive_says_what_keeps_it_from_turning() {
+        let mut device = heard(RunState::Running, true);
+        assert_eq!(device.drive(false, true).words(), "disabled");
+        assert_eq!(
+            device.drive(false, false).words(),
+            "disabled, ENABLE is off"
+        );
+        assert_eq!(device.drive(true, true), Drive::Stopped);
+        device.status.as_mut().unwrap().fault = Some("F04 feedback".to_owned());
+        assert_eq!(device.drive(false, true).words(), "fault F04 feedback");
+        assert_eq!(heard(RunState::Idle, false).drive(true, true), Drive::Off);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! What the page knows, and how that changes: plain data and pure functions. `store` puts it into the page.
 
+pub mod axis;
 pub mod device;
 pub mod editor;
 pub mod keys;
@@ -10,6 +11,7 @@ pub mod scope;
 mod store;
 pub mod terminal;
 pub mod versions;
+pub mod wiring;
 pub mod words;
 
 pub use device::Device;

@@ -1,7 +1,6 @@
 //! The oscilloscope: what was recorded, and which part of it is shown at which scale.
 //!
-//! It triggers on the start of motion: the picture begins where an axis that stood begins to move, grows with the
-//! motion, and stands still when the axis does.
+//! All signals are recorded, shown or not. Until the user chooses otherwise it triggers on the start of motion.
 
 use motionbench_core::controller::Signal;
 use motionbench_core::time::Nanos;
@@ -9,64 +8,50 @@ use motionbench_core::trace::Trace;
 
 use crate::protocol;
 
+mod cursors;
+mod export;
+mod picture;
+mod scale;
+mod strips;
+#[cfg(test)]
+mod tests;
+mod touches;
+mod window;
+
+pub use cursors::Reading;
+pub use picture::{Line, Picture};
+pub use scale::Scale;
+pub use strips::{Strip, Trace as Shown, folded, name};
+pub use touches::{Moved, Touches};
+pub use window::{Follow, View};
+
+use window::Window;
+
 /// Rows kept: nearly nine minutes at 500 a second.
 const ROWS: usize = 1 << 18;
-/// An axis that stood so long begins a new picture.
-const PAUSE: Nanos = Nanos::from_millis(2000);
-/// Shown at least, behind the end of a motion.
-const TAIL: Nanos = Nanos::from_millis(100);
-/// Widths of the picture, s; a longer motion moves through the last.
-const WIDTHS_S: [u64; 6] = [1, 2, 5, 10, 20, 60];
-
-/// What is drawn: names of signals, and what they are to people. A strip each, the first decides what motion is.
-const STRIPS: [(&str, &str); 2] = [("x.command", "position"), ("x.velocity", "velocity")];
+/// What is demanded of the axis: motion is when one of these changes.
+const DEMANDED: [&str; 2] = ["x.command", "x.velocity"];
 
 /// The recording, and the picture of it.
 #[derive(Debug)]
 pub struct Scope {
+    signals: Vec<Signal>,
     trace: Trace,
-    strips: Vec<Strip>,
-    /// The drawn values of the newest row.
+    /// The newest row, and the bits that were ever on in each column.
     newest: Vec<f64>,
-    motion: Option<Motion>,
+    ever: Vec<u32>,
+    strips: Vec<Strip>,
+    window: Window,
+    paused: Option<Paused>,
+    cursors: Option<[Nanos; 2]>,
 }
 
-/// One strip of the picture.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Strip {
-    /// For people.
-    pub label: &'static str,
-    /// For example `counts`.
-    pub unit: String,
-    /// The column of the trace.
-    signal: usize,
-}
-
-/// When the shown motion began, and when something last changed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Motion {
-    start: Nanos,
-    last: Nanos,
-}
-
-/// A part of simulated time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct View {
-    /// Where the time axis has its zero.
-    pub zero: Nanos,
-    /// Left edge.
-    pub from: Nanos,
-    /// Right edge.
-    pub to: Nanos,
-}
-
-/// The scale of an axis: its ends, which are multiples of the distance of its marks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[allow(missing_docs)]
-pub struct Scale {
-    pub low: f64,
-    pub high: f64,
-    pub step: f64,
+/// The picture stands still; the machine and the recording do not.
+#[derive(Debug, Clone)]
+struct Paused {
+    view: Option<View>,
+    until: Nanos,
+    row: Vec<f64>,
 }
 
 impl Default for Scope {
@@ -78,57 +63,66 @@ impl Default for Scope {
 impl Scope {
     /// An empty recording of these signals.
     pub fn new(signals: &[Signal]) -> Scope {
-        let strip = |&(name, label): &(&str, &'static str)| {
-            let signal = signals.iter().position(|signal| signal.name == name)?;
-            let unit = signals[signal].unit.clone();
-            Some(Strip {
-                label,
-                unit,
-                signal,
-            })
-        };
         Scope {
+            signals: signals.to_vec(),
             trace: Trace::new(signals.len(), ROWS),
-            strips: STRIPS.iter().filter_map(strip).collect(),
             newest: Vec::new(),
-            motion: None,
+            ever: vec![0; signals.len()],
+            strips: strips::initial(signals),
+            window: Window::default(),
+            paused: None,
+            cursors: None,
         }
+    }
+
+    /// Begins a new recording, of a simulator that starts again. What the user chose to see stays.
+    pub fn start(&mut self, signals: &[Signal]) {
+        let mut started = Scope::new(signals);
+        if !self.signals.is_empty() {
+            started.strips = strips::again(&self.strips, &self.signals, signals);
+            if self.window.follow == Follow::Newest {
+                started.window.follow = Follow::Newest;
+            }
+        }
+        *self = started;
     }
 
     /// Appends samples. In those of a `power_cycle` a register that jumps is no motion.
     /// Returns whether what is shown has changed.
     pub fn take(&mut self, samples: &[f64], power_cycle: bool) -> bool {
+        let shown = self.view();
+        let demanded = DEMANDED.map(|name| self.signals.iter().position(|s| s.name == name));
         let Scope {
             trace,
-            strips,
             newest,
-            motion,
+            ever,
+            window,
+            ..
         } = self;
-        let shown = view(*motion);
-        let before = *motion;
-        let mut visible = false;
         let mut previous = trace.span().map(|(_, last)| last);
+        let mut visible = false;
+        let mut values_changed = false;
         protocol::unpack(samples, trace, |at, row| {
-            let values = strips.iter().map(|strip| row[strip.signal]);
-            if !newest.iter().copied().eq(values.clone()) {
-                if !newest.is_empty() && !power_cycle {
-                    let start = previous.unwrap_or(at);
-                    let fresh = motion.is_none_or(|motion| at.since(motion.last) > PAUSE);
-                    let start = if fresh {
-                        start
-                    } else {
-                        motion.map_or(start, |m| m.start)
-                    };
-                    *motion = Some(Motion { start, last: at });
-                }
-                newest.clear();
-                newest.extend(values);
-                visible = true;
+            let moved = |column: &usize| newest.get(*column) != row.get(*column);
+            if !newest.is_empty() && !power_cycle && demanded.iter().flatten().any(moved) {
+                window.moved(previous.unwrap_or(at), at);
             }
-            visible |= shown.is_some_and(|view| at <= view.to);
+            if newest != row {
+                newest.clear();
+                newest.extend_from_slice(row);
+                let bits = |(ever, value): (&mut u32, &f64)| *ever |= *value as u32;
+                ever.iter_mut().zip(row).for_each(bits);
+                values_changed = true;
+            }
+            visible |= shown.is_some_and(|view| at >= view.from && at <= view.to);
             previous = Some(at);
         });
-        visible || *motion != before
+        self.paused.is_none() && (visible || values_changed || self.view() != shown)
+    }
+
+    /// The recorded signals.
+    pub fn signals(&self) -> &[Signal] {
+        &self.signals
     }
 
     /// The strips, from the top.
@@ -136,273 +130,132 @@ impl Scope {
         &self.strips
     }
 
-    /// The newest value of a strip.
-    pub fn newest(&self, strip: usize) -> Option<f64> {
-        self.newest.get(strip).copied()
+    /// The strip of this name.
+    pub fn strip(&self, name: &str) -> Option<&Strip> {
+        self.strips.iter().find(|strip| strip.name == name)
+    }
+
+    /// The lines of all strips.
+    pub fn traces(&self) -> impl Iterator<Item = (&Strip, &Shown)> {
+        let of = |strip| move |trace| (strip, trace);
+        self.strips
+            .iter()
+            .flat_map(move |strip| strip.traces.iter().map(of(strip)))
+    }
+
+    /// Draws a signal, or does not any more.
+    pub fn choose(&mut self, signal: usize, shown: bool) {
+        strips::remove(&mut self.strips, signal);
+        if shown {
+            strips::add(&mut self.strips, &self.signals, signal);
+        }
+    }
+
+    /// Takes a strip away, with all of its lines.
+    pub fn remove(&mut self, strip: &str) {
+        self.strips.retain(|other| other.name != strip);
+    }
+
+    /// Folds a strip to its name and value, or unfolds it.
+    pub fn fold(&mut self, strip: &str, folded: bool) {
+        self.change(strip, |strip| strip.folded = Some(folded));
+    }
+
+    /// Gives a strip a scale that stays; `None` lets it follow the values.
+    pub fn fix(&mut self, strip: &str, scale: Option<Scale>) {
+        self.change(strip, |strip| strip.fixed = scale);
+    }
+
+    fn change(&mut self, strip: &str, change: impl FnOnce(&mut Strip)) {
+        if let Some(strip) = self.strips.iter_mut().find(|other| other.name == strip) {
+            change(strip);
+        }
+    }
+
+    /// The value of a signal now, or when the picture was paused.
+    pub fn newest(&self, signal: usize) -> Option<f64> {
+        let row = self.paused.as_ref().map_or(&self.newest, |p| &p.row);
+        row.get(signal).copied()
+    }
+
+    /// The value of a signal now, by its name, whatever the picture does.
+    pub fn now(&self, signal: &str) -> Option<f64> {
+        let column = self.signals.iter().position(|s| s.name == signal)?;
+        self.newest.get(column).copied()
     }
 
     /// What is shown; `None` before anything has moved.
     pub fn view(&self) -> Option<View> {
-        view(self.motion)
+        match &self.paused {
+            Some(paused) => paused.view,
+            None => self.window.view(self.recorded()?.1),
+        }
     }
 
-    /// The scale that a strip needs within `view`, with about `marks` marks.
-    pub fn scale(&self, strip: usize, view: View, marks: f64) -> Option<Scale> {
-        let signal = self.strips.get(strip)?.signal;
-        let extremes = self.trace.extremes(signal, view.from, view.to, 1);
-        let extremes = extremes.first().copied().flatten()?;
-        Some(Scale::fit(extremes.min, extremes.max, marks))
+    /// Of all that was recorded, the part that can be shown.
+    fn recorded(&self) -> Option<(Nanos, Nanos)> {
+        let (first, last) = self.trace.span()?;
+        let last = self.paused.as_ref().map_or(last, |p| p.until);
+        Some((first.min(last), last))
     }
 
-    /// A strip's line within `view`, in s from its zero and the signal's unit, with at most two points for each of
-    /// `columns`: as many as there are pixels.
-    pub fn line(&self, strip: usize, view: View, columns: usize) -> Vec<(f64, f64)> {
-        let Some(strip) = self.strips.get(strip) else {
-            return Vec::new();
+    /// Where the lines of a view end.
+    fn until(&self, view: View) -> Nanos {
+        let last = self.recorded().map_or(view.to, |(_, last)| last);
+        view.to.min(last).max(view.from)
+    }
+
+    /// What the picture keeps up with.
+    pub fn follows(&self) -> Follow {
+        self.window.follow
+    }
+
+    /// Keeps up with something else, or with nothing.
+    pub fn follow(&mut self, follow: Follow) {
+        self.paused = None;
+        let shown = self.view();
+        self.window.follow(follow, shown);
+    }
+
+    /// Whether the picture stands still.
+    pub fn is_paused(&self) -> bool {
+        self.paused.is_some()
+    }
+
+    /// Lets the picture stand still, or go on; the machine does not notice.
+    pub fn pause(&mut self, pause: bool) {
+        self.paused = match self.recorded() {
+            Some((_, until)) if pause => Some(Paused {
+                view: self.view(),
+                until,
+                row: self.newest.clone(),
+            }),
+            _ => None,
         };
-        let width = view.to.since(view.from).seconds() / columns as f64;
-        let left = view.from.since(view.zero).seconds() + width / 2.0;
-        let mut points = Vec::with_capacity(2 * columns);
-        let mut last = f64::NEG_INFINITY;
-        let extremes = self
-            .trace
-            .extremes(strip.signal, view.from, view.to, columns);
-        for (column, extremes) in extremes.into_iter().enumerate() {
-            let Some(extremes) = extremes else { continue };
-            let at = left + column as f64 * width;
-            // Down or up, whichever goes on from where the line is.
-            let falls = (last - extremes.max).abs() < (last - extremes.min).abs();
-            let (first, second) = if falls {
-                (extremes.max, extremes.min)
-            } else {
-                (extremes.min, extremes.max)
-            };
-            points.push((at, first));
-            if second != first {
-                points.push((at, second));
-            }
-            last = second;
-        }
-        points
     }
-}
 
-fn view(motion: Option<Motion>) -> Option<View> {
-    let Motion { start, last } = motion?;
-    let needed = last.since(start) + TAIL;
-    let fits = |&&width: &&u64| Nanos::from_millis(width * 1000) >= needed;
-    let width = WIDTHS_S.iter().find(fits).or(WIDTHS_S.last())?;
-    let width = Nanos::from_millis(width * 1000);
-    let from = start + needed.since(width);
-    Some(View {
-        zero: start,
-        from,
-        to: from + width,
-    })
-}
-
-impl View {
-    /// The time axis, in s from its zero.
-    pub fn scale(&self) -> Scale {
-        let low = self.from.since(self.zero).seconds();
-        let high = self.to.since(self.zero).seconds();
-        Scale {
-            low,
-            high,
-            step: nice((high - low) / 5.0),
+    /// Shows `factor` times as much time; what is at a place of the picture, 0 to 1, stays there.
+    pub fn zoom(&mut self, factor: f64, place: f64) {
+        let Some(view) = self.view() else { return };
+        match &mut self.paused {
+            Some(paused) => paused.view = Some(view.zoomed(factor, place)),
+            None => self.window.zoom(view, factor, place),
         }
     }
-}
 
-impl Scale {
-    /// The smallest scale with about `marks` marks that holds both values.
-    pub fn fit(min: f64, max: f64, marks: f64) -> Scale {
-        // A line that is level lies in the middle.
-        let span = if max > min {
-            max - min
-        } else {
-            2.0 * min.abs().max(1.0)
+    /// Moves the picture to the right by a part of its width.
+    pub fn pan(&mut self, part: f64) {
+        let (Some(view), Some(span)) = (self.view(), self.recorded()) else {
+            return;
         };
-        let step = nice(span / marks);
-        if max > min {
-            Scale {
-                low: (min / step).floor() * step,
-                high: (max / step).ceil() * step,
-                step,
-            }
-        } else {
-            let middle = (min / step).round() * step;
-            Scale {
-                low: middle - step,
-                high: middle + step,
-                step,
-            }
+        self.show(view.panned(part, span));
+    }
+
+    /// Shows this, and keeps up with nothing.
+    pub fn show(&mut self, view: View) {
+        match &mut self.paused {
+            Some(paused) => paused.view = Some(view),
+            None => self.window.hold(view),
         }
-    }
-
-    /// Where its marks are.
-    pub fn marks(&self) -> impl Iterator<Item = f64> + use<> {
-        let Scale { low, high, step } = *self;
-        let (first, last) = (
-            (low / step).ceil() as i64,
-            (high / step + 1e-9).floor() as i64,
-        );
-        (first..=last).map(move |mark| mark as f64 * step)
-    }
-
-    /// Digits behind the point that tell its marks apart.
-    pub fn digits(&self) -> usize {
-        (-self.step.log10().floor()).clamp(0.0, 9.0) as usize
-    }
-}
-
-/// The nearest 1, 2 or 5 times a power of ten that is not smaller.
-fn nice(size: f64) -> f64 {
-    let power = 10f64.powf(size.max(1e-9).log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0];
-    // A little tolerance, as 0.2 has no exact form.
-    let step = steps
-        .iter()
-        .find(|&&step| step * power >= size * (1.0 - 1e-9));
-    step.unwrap_or(&10.0) * power
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn signals() -> Vec<Signal> {
-        let signal = |name: &str, unit: &str| Signal {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-        };
-        vec![
-            signal("x.position", "counts"),
-            signal("x.command", "counts"),
-            signal("x.velocity", "counts/s"),
-        ]
-    }
-
-    /// Samples of 2 ms from `from_ms` on, at the given demanded positions.
-    fn samples(from_ms: u64, positions: &[f64]) -> Vec<f64> {
-        let mut trace = Trace::new(3, positions.len());
-        for (i, &position) in positions.iter().enumerate() {
-            let at = Nanos::from_millis(from_ms + 2 * i as u64);
-            trace.push(at, &[0.0, position, 500.0 * position]);
-        }
-        protocol::pack(&trace)
-    }
-
-    fn ramp(from: f64, to: f64, rows: usize) -> Vec<f64> {
-        (0..rows)
-            .map(|i| from + (to - from) * i as f64 / (rows - 1) as f64)
-            .collect()
-    }
-
-    #[test]
-    fn nothing_is_shown_until_something_moves() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &[7.0; 1000]), false);
-        assert_eq!(scope.view(), None);
-        assert_eq!(scope.newest(0), Some(7.0));
-        assert!(!scope.take(&samples(2000, &[7.0; 1000]), false));
-    }
-
-    #[test]
-    fn the_picture_begins_with_the_motion_and_holds_all_of_it() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &[0.0; 1000]), false);
-        assert!(scope.take(&samples(2000, &ramp(0.0, 40_960.0, 751)), false));
-        let view = scope.view().unwrap();
-        // The ramp's first row still stands at 0.
-        assert_eq!(
-            (view.zero, view.from),
-            (Nanos::from_millis(2000), view.zero)
-        );
-        assert_eq!(view.to, Nanos::from_millis(4000));
-        assert_eq!(
-            scope.scale(0, view, 3.0).unwrap(),
-            Scale {
-                low: 0.0,
-                high: 60_000.0,
-                step: 20_000.0
-            }
-        );
-        let line = scope.line(0, view, 200);
-        assert_eq!(line.last().unwrap().1, 40_960.0);
-        assert!(
-            line.windows(2).all(|pair| pair[0].1 <= pair[1].1),
-            "a ramp is drawn as a ramp"
-        );
-        assert!(line.len() <= 400);
-    }
-
-    #[test]
-    fn it_stands_still_when_the_axis_does_and_its_line_is_complete() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &ramp(0.0, 100.0, 400)), false);
-        assert!(
-            scope.take(&samples(800, &[100.0; 50]), false),
-            "the line goes on to the right edge"
-        );
-        let view = scope.view().unwrap();
-        scope.take(&samples(900, &[100.0; 500]), false);
-        assert!(!scope.take(&samples(1900, &[100.0; 500]), false));
-        assert_eq!(scope.view(), Some(view));
-    }
-
-    #[test]
-    fn a_second_motion_joins_the_picture_or_begins_a_new_one() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &ramp(0.0, 100.0, 400)), false);
-        scope.take(&samples(800, &[100.0; 500]), false);
-        scope.take(&samples(1800, &ramp(100.0, 200.0, 400)), false);
-        assert_eq!(scope.view().unwrap().zero, Nanos::ZERO);
-        assert_eq!(scope.view().unwrap().to, Nanos::from_millis(5000));
-        scope.take(&samples(2600, &[200.0; 2000]), false);
-        scope.take(&samples(6600, &ramp(200.0, 300.0, 400)), false);
-        assert_eq!(scope.view().unwrap().zero, Nanos::from_millis(6600));
-    }
-
-    #[test]
-    fn a_long_motion_moves_through_the_picture() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &ramp(0.0, 1e6, 45_000)), false);
-        let view = scope.view().unwrap();
-        assert_eq!(view.to.since(view.from), Nanos::from_millis(60_000));
-        assert!(view.to > Nanos::from_millis(89_998) && view.from > view.zero);
-        assert!(
-            view.scale()
-                .marks()
-                .all(|s| s >= view.from.seconds() && s <= view.to.seconds())
-        );
-    }
-
-    #[test]
-    fn a_register_reset_by_the_mains_switch_is_no_motion() {
-        let mut scope = Scope::new(&signals());
-        scope.take(&samples(0, &[500.0; 10]), false);
-        scope.take(&samples(20, &[500.0, 0.0, 0.0]), true);
-        assert_eq!(scope.view(), None);
-        assert_eq!(scope.newest(0), Some(0.0));
-    }
-
-    #[test]
-    fn scales_are_round_and_hold_the_values() {
-        let scale = Scale::fit(-3.2, 48_211.0, 3.0);
-        assert_eq!(
-            (scale.low, scale.high, scale.step),
-            (-20_000.0, 60_000.0, 20_000.0)
-        );
-        assert_eq!(
-            scale.marks().collect::<Vec<_>>(),
-            [-2e4, 0.0, 2e4, 4e4, 6e4]
-        );
-        assert_eq!(
-            Scale::fit(0.0, 0.0, 3.0).marks().collect::<Vec<_>>(),
-            [-1.0, 0.0, 1.0]
-        );
-        assert_eq!(Scale::fit(0.0, 0.6, 3.0).digits(), 1);
-        assert_eq!(scale.digits(), 0);
     }
 }

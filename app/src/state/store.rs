@@ -11,6 +11,7 @@ use super::editor::{EditorState, FIRST_PROGRAM};
 use super::layout::Layout;
 use super::scope::Scope;
 use super::terminal::Terminal;
+use super::wiring::Wiring;
 use super::{Device, News};
 use crate::client::Client;
 use crate::protocol::{ToWorker, Unloadable};
@@ -39,6 +40,8 @@ pub struct Store {
     terminal: StoredValue<Terminal, LocalStorage>,
     scope: StoredValue<Scope, LocalStorage>,
     client: StoredValue<Option<Client>, LocalStorage>,
+    /// How the switches outside the controller stand.
+    pub wiring: RwSignal<Wiring>,
 }
 
 impl Store {
@@ -57,6 +60,7 @@ impl Store {
             terminal: StoredValue::new_local(Terminal::default()),
             scope: StoredValue::new_local(Scope::default()),
             client: StoredValue::new_local(None),
+            wiring: RwSignal::default(),
         };
         let client = Client::start(move |news| store.hear(&news));
         store.client.set_value(Some(client));
@@ -68,6 +72,9 @@ impl Store {
     pub fn send(&self, message: ToWorker) {
         if let ToWorker::Speed(speed) = message {
             self.device.update(|device| device.speed = speed);
+        }
+        if matches!(message, ToWorker::Wire { .. } | ToWorker::EmergencyStop(_)) {
+            self.wiring.update(|wiring| wiring.hear(&message));
         }
         self.client.with_value(|client| {
             if let Some(client) = client {
@@ -100,10 +107,20 @@ impl Store {
         self.scope.with_value(read)
     }
 
+    /// Does what the user wants of the scope.
+    pub fn change_scope(&self, change: impl FnOnce(&mut Scope)) {
+        self.scope.update_value(change);
+        self.recorded.update(|count| *count += 1);
+    }
+
     fn hear(&self, news: &News) {
         let was_on = self.device.with_untracked(Device::is_on);
         match news {
-            News::Ready(ready) => self.scope.set_value(Scope::new(&ready.signals)),
+            News::Ready(ready) => {
+                self.change_scope(|scope| scope.start(&ready.signals));
+                let wiring = self.wiring.get_untracked();
+                wiring.differences().into_iter().for_each(|m| self.send(m));
+            }
             News::Frame(frame, samples) => {
                 if !frame.console.is_empty() {
                     self.terminal

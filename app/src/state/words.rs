@@ -42,6 +42,24 @@ pub fn number(value: f64, digits: usize) -> String {
     words
 }
 
+/// A value beside a mark, where there is little room: `120k`, `1.5M`.
+pub fn short(value: f64, digits: usize) -> String {
+    match value.abs() {
+        size if size >= 1e6 => format!("{}M", decimal(value / 1e6)),
+        size if size >= 1e5 => format!("{}k", decimal(value / 1e3)),
+        _ => number(value, digits),
+    }
+}
+
+/// With as many digits behind the point, up to six, as it has.
+fn decimal(value: f64) -> String {
+    let digits = (0..6).find(|&digits| {
+        let scaled = value * 10f64.powi(digits);
+        (scaled - scaled.round()).abs() < 1e-6 * scaled.abs().max(1.0)
+    });
+    number(value, digits.unwrap_or(6) as usize)
+}
+
 /// A measured value: all the digits of a whole number, otherwise as many as matter.
 pub fn value(value: f64) -> String {
     let digits = match value.abs() {
@@ -89,6 +107,14 @@ mod tests {
         assert_eq!(number(-0.001, 1), "0.0");
         assert_eq!(number(999.0, 0), "999");
         assert_eq!(number(f64::NAN, 0), "\u{2013}");
+    }
+
+    #[test]
+    fn a_mark_is_short() {
+        assert_eq!(short(60_000.0, 0), "60\u{202f}000");
+        assert_eq!(short(-120_000.0, 0), "\u{2212}120k");
+        assert_eq!(short(1_250_000.0, 0), "1.25M");
+        assert_eq!(short(0.5, 1), "0.5");
     }
 
     #[test]
