@@ -116,8 +116,14 @@ export function help(editor) {
   }
 
   return [
-    // Nothing is chosen at first, so that Enter ends a line: `NEXT N` stays what it is.
-    autocompletion({ override: [complete], selectOnOpen: false, icons: false, maxRenderedOptions: MOST_OFFERED }),
+    autocompletion({
+      override: [complete],
+      // Enter ends a line: `NEXT N` stays what it is. So a list that has just opened takes nobody by surprise.
+      selectOnOpen: false,
+      interactionDelay: 0,
+      icons: false,
+      maxRenderedOptions: MOST_OFFERED,
+    }),
     hover,
     keymap.of([
       { key: "Tab", run: take },
