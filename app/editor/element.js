@@ -50,6 +50,7 @@ function replaceBySelf(event, view) {
 class ProgramEditor extends HTMLElement {
   #view;
   #readOnly = new Compartment();
+  #locked = EditorState.readOnly.of(false);
   #cursorLine = 0;
 
   constructor() {
@@ -94,6 +95,7 @@ class ProgramEditor extends HTMLElement {
 
   /** Changes part of a line as the user would: as one step that can be undone, told to the page, checked at once. */
   replace(line, from, to, text) {
+    if (this.#view.state.readOnly) return;
     const { from: start } = this.#line(line);
     this.#view.dispatch({
       changes: { from: start + from, to: start + to, insert: text },
@@ -120,7 +122,8 @@ class ProgramEditor extends HTMLElement {
   }
 
   setReadOnly(readOnly) {
-    this.#view.dispatch({ effects: this.#readOnly.reconfigure(EditorState.readOnly.of(readOnly)) });
+    this.#locked = EditorState.readOnly.of(readOnly);
+    this.#view.dispatch({ effects: this.#readOnly.reconfigure(this.#locked) });
   }
 
   /** Puts the cursor into a line and gives the editor the keyboard. */
@@ -168,7 +171,7 @@ class ProgramEditor extends HTMLElement {
         dropCursor(),
         rectangularSelection(),
         EditorState.allowMultipleSelections.of(true),
-        this.#readOnly.of([]),
+        this.#readOnly.of(this.#locked),
         tooltips({ position: "fixed" }),
         EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: "characters", tabindex: "0" }),
         EditorView.domEventHandlers({ beforeinput: replaceBySelf }),

@@ -17,7 +17,12 @@ use element::{Answers, ProgramEditor};
 
 /// The editor of the program.
 #[component]
-pub(super) fn Editor(store: Store) -> impl IntoView {
+pub(super) fn Editor(
+    store: Store,
+    /// The text may be read and copied, but not changed.
+    #[prop(optional, into)]
+    read_only: Signal<bool>,
+) -> impl IntoView {
     let editor = store.editor;
     let node = NodeRef::<html::Custom<&'static str>>::new();
     let element = StoredValue::<Option<ProgramEditor>, _>::new_local(None);
@@ -33,6 +38,8 @@ pub(super) fn Editor(store: Store) -> impl IntoView {
         start(&node, store, problems, cursor);
         element.set_value(Some(node.clone()));
         show_text(editor, node.clone());
+        let lock = node.clone();
+        Effect::new(move |_| lock.set_read_only(read_only.get()));
         show_marks(store, node);
     });
     on_cleanup(move || {
@@ -103,6 +110,7 @@ fn show_text(editor: RwSignal<EditorState>, element: ProgramEditor) {
                 element.open(editor.text());
                 // They may be at the same lines as before.
                 element.set_breakpoints(editor.breakpoints());
+                element.set_running(as_shown(editor.running()), false);
             }
             Some((_, takes)) if takes != now.1 => element.set_text(editor.text()),
             _ => {}
@@ -119,7 +127,11 @@ fn show_marks(store: Store, element: ProgramEditor) {
     let running = Memo::new(move |_| store.editor.with(EditorState::running));
     let held = Memo::new(move |_| store.is_held());
     Effect::new(move |_| {
-        let line = running.get().and_then(|line| i32::try_from(line).ok());
-        element.set_running(line.unwrap_or(-1), held.get());
+        element.set_running(as_shown(running.get()), held.get());
     });
+}
+
+/// A line for the element: below 0, none.
+fn as_shown(line: Option<u32>) -> i32 {
+    line.and_then(|line| i32::try_from(line).ok()).unwrap_or(-1)
 }
