@@ -138,7 +138,9 @@ siteTest("a program that never ends leaves the page answering, and Ctrl-C ends i
 siteTest("Run and Stop act on the console, Power loses the program", async (page) => {
   await printedEnd(page, ">");
   await page.keyboard.type("10 GOTO 10\n");
-  await page.getByRole("button", { name: "Run" }).click();
+  await page.getByText("controller differs").waitFor();
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await page.getByRole("button", { name: "Run the controller's" }).click();
   await page.getByText("running", { exact: true }).waitFor();
   await page.getByRole("button", { name: "Stop", exact: true }).click();
   await printedEnd(page, ">RUN\nBREAK IN 10\n>");

@@ -1,16 +1,39 @@
 //! The frame around the panels: where they stand, the dividers between them, and what folds them away.
 
+use leptos::ev;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent};
 
-use super::{scope, terminal};
+use super::{editor, scope, terminal};
 use crate::state::Store;
 use crate::state::layout::{Divider, LEAST, Layout, MOST, Panel, STEP};
 
 /// Where there is room for one panel alone, as in the style sheet.
 const NARROW: &str = "(max-width: 43.75rem)";
+
+/// What a press of the mouse uses without taking the keyboard to it, from where the user types.
+const ONLY_PRESSED: &str = "button, .topbar, .panel-head";
+/// What needs the mouse as it is.
+const USED: &str = "select, input, textarea, a";
+
+/// Has buttons leave the keyboard where it is when the mouse presses them.
+fn keep_keyboard() {
+    let listener = window_event_listener(ev::mousedown, |event| {
+        let target = event
+            .target()
+            .and_then(|target| target.dyn_into::<Element>().ok());
+        let within = |what| {
+            let found = target.as_ref().and_then(|target| target.closest(what).ok());
+            found.flatten().is_some()
+        };
+        if within(ONLY_PRESSED) && !within(USED) {
+            event.prevent_default();
+        }
+    });
+    on_cleanup(move || listener.remove());
+}
 
 /// Whether there is room for one panel alone.
 pub(super) fn is_narrow() -> bool {
@@ -22,6 +45,7 @@ pub(super) fn is_narrow() -> bool {
 #[component]
 pub(super) fn Frame(store: Store) -> impl IntoView {
     let main = NodeRef::<html::Main>::new();
+    keep_keyboard();
     // As CSS numbers: the shares of what stands before a divider and of what stands behind it.
     let share = move |divider| store.layout.with(|layout| layout.share(divider));
     let before = move |divider| share(divider).to_string();
@@ -30,6 +54,8 @@ pub(super) fn Frame(store: Store) -> impl IntoView {
         <main class="workshop" node_ref=main data-shown=move || store.layout.with(Layout::shown).name()
             style:--program=move || before(Divider::Program) style:--bench=move || behind(Divider::Program)
             style:--dock=move || before(Divider::Dock) style:--scope=move || behind(Divider::Dock)>
+            <Cell store panel=Panel::Program><editor::Editor store /></Cell>
+            <DividerView store divider=Divider::Program main />
             <div class="bench">
                 <Cell store panel=Panel::Terminal><terminal::Terminal store /></Cell>
                 <DividerView store divider=Divider::Dock main />
@@ -147,5 +173,5 @@ pub(super) fn Tabs(store: Store) -> impl IntoView {
 
 /// The panels that the page has.
 fn panels() -> impl Iterator<Item = Panel> {
-    [Panel::Terminal, Panel::Scope].into_iter()
+    Panel::ALL.into_iter().filter(|panel| *panel != Panel::Io)
 }

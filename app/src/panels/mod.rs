@@ -6,6 +6,7 @@
 mod axis;
 mod dialog;
 mod draw;
+mod editor;
 mod estop;
 mod frame;
 mod io;

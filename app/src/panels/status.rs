@@ -36,6 +36,8 @@ pub(super) fn StatusLine(store: Store, updates: Updates) -> impl IntoView {
     let keyboard = move || {
         if store.typing.get() {
             "keyboard: terminal"
+        } else if store.editing.get() {
+            "keyboard: editor"
         } else {
             "keyboard: page"
         }

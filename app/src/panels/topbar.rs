@@ -2,8 +2,7 @@
 
 use leptos::ev;
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, KeyboardEvent, MouseEvent};
+use web_sys::KeyboardEvent;
 
 use super::dialog::Dialog;
 use super::estop::EStop;
@@ -32,14 +31,8 @@ pub(super) fn TopBar(store: Store) -> impl IntoView {
     let help = RwSignal::new(false);
     let listener = window_event_listener(ev::keydown, move |event| press(store, &event));
     on_cleanup(move || listener.remove());
-    // A press of the mouse does not take the keyboard from where the user types.
-    let mousedown = move |event: MouseEvent| {
-        if !is_select(&event) {
-            event.prevent_default();
-        }
-    };
     view! {
-        <header class="topbar" on:mousedown=mousedown>
+        <header class="topbar">
             <h1 class="brand">"Motion"<span>"bench"</span></h1>
             <span class="chip controller">{name}</span>
             <Program store />
@@ -50,13 +43,6 @@ pub(super) fn TopBar(store: Store) -> impl IntoView {
         </header>
         <Dialog open=help title="Help"><Help /></Dialog>
     }
-}
-
-fn is_select(event: &MouseEvent) -> bool {
-    let target = event
-        .target()
-        .and_then(|target| target.dyn_into::<Element>().ok());
-    target.is_some_and(|target| target.closest("select").is_ok_and(|found| found.is_some()))
 }
 
 /// A key that does the same wherever the keyboard is.
@@ -88,7 +74,7 @@ fn press(store: Store, event: &KeyboardEvent) {
 
 /// Starts the program, and where only the program is in sight shows what it does.
 fn run(store: Store) {
-    store.send(ToWorker::Run);
+    store.run();
     if frame::is_narrow() && store.layout.with_untracked(Layout::shown) == Panel::Program {
         store.layout.update(|layout| layout.show(Panel::Terminal));
     }
@@ -102,7 +88,7 @@ fn Program(store: Store) -> impl IntoView {
     let cannot_step = Memo::new(move |_| store.device.with(|device| !device.can_step()));
     view! {
         <button type="button" class="button primary" disabled=off
-            title="Types RUN on the console (F5)" on:click=move |_| run(store)>
+            title="Loads the program and types RUN on the console (F5)" on:click=move |_| run(store)>
             <span class="icon run" aria-hidden="true"></span>"Run"
         </button>
         <div class="group" role="group" aria-label="The program that runs">

@@ -25,6 +25,8 @@ pub struct Store {
     pub layout: RwSignal<Layout>,
     /// The terminal has the keyboard.
     pub typing: RwSignal<bool>,
+    /// The editor has the keyboard.
+    pub editing: RwSignal<bool>,
     /// Grows when the terminal looks different.
     pub printed: RwSignal<u64>,
     /// Grows when the scope looks different.
@@ -51,6 +53,7 @@ impl Store {
             device: RwSignal::default(),
             layout: RwSignal::default(),
             typing: RwSignal::new(false),
+            editing: RwSignal::new(false),
             printed: RwSignal::new(0),
             recorded: RwSignal::new(0),
             editor: RwSignal::new(EditorState::new(&KINDS[0], FIRST_PROGRAM)),
