@@ -12,12 +12,12 @@ export const nextProblem = (view) => nextDiagnostic(view);
 export const check = (view) => forceLinting(view);
 
 /** Problems as the page gives them: `{line, span, severity, message, cause, cure}`. */
-function placed({ state }, editor) {
+function placed({ state: { doc } }, editor) {
   return editor.problems().map(({ line, span, severity, message, cause, cure }) => {
-    const start = state.doc.line(line + 1).from;
+    const { from: start, to: end } = doc.line(Math.min(line + 1, doc.lines));
     return {
-      from: start + span.start,
-      to: start + span.end,
+      from: Math.min(start + span.start, end),
+      to: Math.min(start + span.end, end),
       severity: severity.toLowerCase(),
       message: `${message}: ${cause}`,
       renderMessage: () => explained(message, cause),
