@@ -8,7 +8,7 @@ use leptos::wasm_bindgen::prelude::*;
 extern "C" {
     type Locks;
     #[wasm_bindgen(method)]
-    fn request(this: &Locks, name: &str, options: &Object, granted: &JsValue) -> Promise;
+    fn request(this: &Locks, name: &str, options: &Object, answered: &JsValue) -> Promise;
 }
 
 /// How a lock is held.
@@ -16,13 +16,15 @@ extern "C" {
 pub enum Mode {
     /// By one page.
     Exclusive,
+    /// By one page, if no other has it now.
+    IfFree,
     /// By any number of pages.
     Shared,
 }
 
-/// Waits for a lock. When it is granted, `granted` says until when it is held. Returns whether the browser has locks:
-/// it has none on a page that came over plain http from another machine.
-pub fn request(name: &str, mode: Mode, granted: impl FnOnce() -> Promise + 'static) -> bool {
+/// Waits for a lock. `answered` hears whether it is granted, which it is but for [`Mode::IfFree`], and says until when it
+/// is held. Returns whether the browser has locks: it has none on a page that came over plain http from another machine.
+pub fn request(name: &str, mode: Mode, answered: impl FnOnce(bool) -> Promise + 'static) -> bool {
     let navigator = window().navigator();
     let Ok(locks) = Reflect::get(&navigator, &"locks".into()) else {
         return false;
@@ -31,17 +33,22 @@ pub fn request(name: &str, mode: Mode, granted: impl FnOnce() -> Promise + 'stat
         return false;
     }
     let options = Object::new();
-    let mode = match mode {
-        Mode::Exclusive => "exclusive",
+    let kind = match mode {
+        Mode::Exclusive | Mode::IfFree => "exclusive",
         Mode::Shared => "shared",
     };
     // A plain object takes any property.
-    let _ = Reflect::set(&options, &"mode".into(), &mode.into());
-    let granted = Closure::once_into_js(move |_lock: JsValue| granted());
+    let _ = Reflect::set(&options, &"mode".into(), &kind.into());
+    let _ = Reflect::set(
+        &options,
+        &"ifAvailable".into(),
+        &(mode == Mode::IfFree).into(),
+    );
+    let answered = Closure::once_into_js(move |lock: JsValue| answered(lock.is_object()));
     // It settles when the lock has been let go of, which nobody waits for.
     let _ = locks
         .unchecked_ref::<Locks>()
-        .request(name, &options, &granted);
+        .request(name, &options, &answered);
     true
 }
 

@@ -202,7 +202,7 @@ fn hold(version: &str) {
     let base = document().base_uri().ok().flatten().unwrap_or_default();
     if let Ok(scope) = Url::new_with_base("./", &base) {
         let name = format!("motionbench {} {version}", scope.href());
-        locks::request(&name, locks::Mode::Shared, locks::for_ever);
+        locks::request(&name, locks::Mode::Shared, |_| locks::for_ever());
     }
 }
 

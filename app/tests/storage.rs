@@ -186,6 +186,21 @@ async fn a_project_that_is_open_elsewhere_is_read_only() {
 }
 
 #[wasm_bindgen_test]
+async fn a_page_goes_on_with_the_project_when_the_tab_that_had_it_is_closed() {
+    let (first, _) = Page::open("test-heir").await;
+    first.edit("10 END\n");
+    first.is_kept().await;
+    let (second, _) = Page::open("test-heir").await;
+    assert_eq!(second.state(), Keeping::ReadOnly);
+    first.keeper.close();
+    second.is_kept().await;
+    second.edit("20 END\n");
+    second.keeper.close();
+    let (_, found) = Page::open("test-heir").await;
+    assert_eq!(found, Some(project("20 END\n")));
+}
+
+#[wasm_bindgen_test]
 async fn what_was_kept_before_can_be_gone_back_to() {
     let (page, _) = Page::open("test-versions").await;
     page.edit("10 REM FIRST\n");

@@ -135,9 +135,17 @@ impl Inner {
         }
     }
 
-    /// The tab that had the project has let go of it.
-    pub(super) fn freed(&mut self) {
+    /// The tab that had the project has let go of it. Whether this page may write now: what is kept is what it has read.
+    pub(super) fn inherit(&mut self, read: Read) -> bool {
+        let known = self.before.as_ref().map(|(_, text)| text.clone());
+        let text = self.take(read);
+        if self.database.is_some() && text == known && self.unreadable.is_none() {
+            self.access = Access::ThisPage;
+            return true;
+        }
         self.access = Access::Nobody;
+        self.let_go();
+        false
     }
 
     pub(super) fn watch(&mut self, work: Box<dyn Fn() -> Work>, device: &Device) {
@@ -235,14 +243,19 @@ impl Inner {
         }
     }
 
-    /// Gives the browser a version to go back to: what the page has, or what it could not read.
-    pub(super) fn back_up(&mut self, reason: Reason, now_ms: f64) -> Result<Written, Fault> {
+    /// Gives the browser a version to go back to: what the page has, or what it could not read; and what takes its place.
+    pub(super) fn back_up(
+        &mut self,
+        reason: Reason,
+        next: Option<&str>,
+        now_ms: f64,
+    ) -> Result<Written, Fault> {
         if self.access != Access::ThisPage {
             return Err(Fault::Elsewhere);
         }
-        let text = match reason {
-            Reason::Unreadable => self.unreadable.clone(),
-            _ => self.text(),
+        let (reason, text) = match self.unreadable.clone() {
+            Some(text) => (Reason::Unreadable, Some(text)),
+            None => (reason, self.text()),
         };
         let (Some(text), Some(database)) = (text, self.database.clone()) else {
             return Err(self.fault.clone().unwrap_or(Fault::Closed));
@@ -253,10 +266,17 @@ impl Inner {
         };
         let dropped = self.add_version(Some(version));
         Ok(Box::pin(database.write(&Changes {
-            present: None,
+            present: next,
             version: Some((version, &text)),
             dropped: &dropped,
         })))
+    }
+
+    /// Keeps nothing more of what this page has.
+    pub(super) fn stop(&mut self) {
+        self.work = None;
+        self.dirty = false;
+        self.timer = None;
     }
 
     /// Forgets what cannot be read, so that what the page has may take its place.
@@ -268,6 +288,11 @@ impl Inner {
     pub(super) fn close(&mut self) {
         self.access = Access::Nobody;
         self.database = None;
+        self.let_go();
+    }
+
+    /// Lets another tab have the project.
+    fn let_go(&mut self) {
         if let Some(release) = self.release.take() {
             // A function of the browser that takes anything.
             let _ = release.call0(&JsValue::NULL);

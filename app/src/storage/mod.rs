@@ -15,9 +15,10 @@ use leptos::wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{StorageManager, VisibilityState};
 
-use crate::state::project::{Device, Project, ProjectError, Work};
+use crate::clock;
+use crate::locks::{self, Mode};
+use crate::state::project::{Device, Project, ProjectError, Work, kept, kept_device};
 use crate::state::versions::{Reason, Version};
-use crate::{clock, locks};
 use inner::{Inner, Save};
 
 /// A change is written this long after it at most, ms; changes until then are written with it.
@@ -144,15 +145,31 @@ impl Keeper {
         }
     }
 
-    /// Keeps the project as it is, as a version to go back to, before something is put in its place.
+    /// Keeps the project as it is, as a version to go back to, before much of it is changed.
     ///
     /// # Errors
-    /// [`Fault`]; nothing should be put in its place then.
+    /// [`Fault`]; it should not be changed then.
     pub async fn back_up(self, reason: Reason) -> Result<(), Fault> {
+        self.put_away(reason, None).await
+    }
+
+    /// Puts another project in place of the present one, which becomes a version to go back to. The page has the other
+    /// one when it is loaded again, and must be: it keeps nothing more.
+    ///
+    /// # Errors
+    /// [`Fault`]; the present project is where it was then.
+    pub async fn replace(self, project: &Project, reason: Reason) -> Result<(), Fault> {
+        let text = kept(&project.work, &kept_device(&project.device));
+        self.put_away(reason, Some(&text)).await?;
+        self.inner.update_value(Inner::stop);
+        Ok(())
+    }
+
+    async fn put_away(self, reason: Reason, next: Option<&str>) -> Result<(), Fault> {
         let now = clock::now_ms();
         let begun = self
             .inner
-            .try_update_value(|inner| inner.back_up(reason, now));
+            .try_update_value(|inner| inner.back_up(reason, next, now));
         begun.unwrap_or(Err(Fault::Closed))?.await
     }
 
@@ -190,39 +207,62 @@ impl Keeper {
         self.inner.update_value(Inner::close);
     }
 
-    /// Asks for the project's lock; whether this page may write. If it is granted late, another tab has just closed.
+    /// Asks for the project's lock; whether this page may write.
     async fn take_lock(self) -> bool {
+        match self.ask_lock(Mode::IfFree) {
+            // A browser without locks cannot say whether there is another tab.
+            None => true,
+            Some(answer) => {
+                is_granted(answer).await || {
+                    // Waited for in any case: a tab may be closed much later.
+                    let answer = self.ask_lock(Mode::Exclusive).map(is_granted);
+                    let answer = async { answer?.await.then_some(()) };
+                    clock::within(HANDOVER_MS, answer).await.flatten().is_some()
+                }
+            }
+        }
+    }
+
+    /// The answer to come, where the browser has locks.
+    fn ask_lock(self, mode: Mode) -> Option<Promise> {
         let name = self
             .inner
             .with_value(|inner| format!("{} project", inner.name));
-        let mut there = true;
-        let granted = Promise::new(&mut |resolve, _| {
-            let granted = move || {
+        let mut has_locks = false;
+        let answer = Promise::new(&mut |resolve, _| {
+            let answered = move |granted: bool| {
                 // A function of the browser that takes anything.
-                let _ = resolve.call1(&JsValue::NULL, &JsValue::TRUE);
-                self.granted()
+                let _ = resolve.call1(&JsValue::NULL, &granted.into());
+                self.answered(granted)
             };
-            there = locks::request(&name, locks::Mode::Exclusive, granted);
+            has_locks = locks::request(&name, mode, answered);
         });
-        // A browser without locks cannot say whether there is another tab.
-        !there
-            || clock::within(HANDOVER_MS, JsFuture::from(granted))
-                .await
-                .is_some()
+        has_locks.then_some(answer)
     }
 
-    /// The lock is this page's: until when.
-    fn granted(self) -> Promise {
-        let mut held = Promise::resolve(&JsValue::NULL);
-        if self.state.get_untracked() == Keeping::Opening {
-            let mut release = None;
-            held = Promise::new(&mut |resolve, _| release = Some(resolve));
-            self.inner.update_value(|inner| inner.release = release);
-        } else {
-            self.inner.update_value(Inner::freed);
-            self.show();
+    /// Until when the lock is held.
+    fn answered(self, granted: bool) -> Promise {
+        if !granted {
+            return Promise::resolve(&JsValue::NULL);
         }
+        if self.state.get_untracked() != Keeping::Opening {
+            spawn_local(self.inherit());
+        }
+        let mut release = None;
+        let held = Promise::new(&mut |resolve, _| release = Some(resolve));
+        self.inner.update_value(|inner| inner.release = release);
         held
+    }
+
+    /// The tab that had the project has gone. This page goes on with it, unless it has missed something.
+    async fn inherit(self) {
+        let read = inner::read(self.inner.with_value(|inner| inner.name)).await;
+        let writes = self.inner.try_update_value(|inner| inner.inherit(read));
+        self.show();
+        if writes == Some(true) {
+            self.listen();
+            self.work_changed();
+        }
     }
 
     /// Writes before the page goes or is put aside, after which it may never be called again.
@@ -278,7 +318,7 @@ impl Keeper {
         self.show();
         if failed {
             self.save_in(RETRY_MS);
-        } else if self.persistence.get_untracked() == Persistence::Unasked {
+        } else if self.persistence.get_untracked() == Persistence::Unasked && is_used() {
             self.persistence.set(persist().await);
         }
     }
@@ -302,6 +342,22 @@ impl Keeper {
             self.state.set(state);
         }
     }
+}
+
+async fn is_granted(answer: Promise) -> bool {
+    JsFuture::from(answer)
+        .await
+        .is_ok_and(|granted| granted.is_truthy())
+}
+
+/// Whether the user has done anything in the page: some browsers ask the user before they promise.
+fn is_used() -> bool {
+    let get = |object: &JsValue, name: &str| Reflect::get(object, &name.into()).ok();
+    let activation = get(&window().navigator(), "userActivation").filter(JsValue::is_object);
+    // Older browsers do not tell.
+    activation.is_none_or(|activation| {
+        get(&activation, "hasBeenActive").is_none_or(|active| active.is_truthy())
+    })
 }
 
 /// Asks the browser to keep the work until the user deletes it.
