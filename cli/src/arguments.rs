@@ -136,7 +136,9 @@ that does not come; 2 the arguments or files cannot be used; 3 the program ended
 
 /// The controllers and their options, behind `text`.
 fn with_controllers(text: &str) -> String {
-    let mut text = format!("{text}\n\nControllers, and what --option and a scenario's `bench` line can give them:");
+    let mut text = format!(
+        "{text}\n\nControllers, and what --option and a scenario's `bench` line can give them:"
+    );
     for kind in catalog::KINDS {
         text.push_str(&format!("\n  {}  {}", kind.id, kind.name));
         for option in kind.options {

@@ -10,7 +10,10 @@ use crate::files;
 pub(crate) fn run(kind: &Kind, as_json: bool) -> Result<u8, String> {
     let rows = (kind.keywords)();
     let shown = if as_json {
-        format!("{:#}\n", Value::Array(rows.iter().map(|row| to_json(row)).collect()))
+        format!(
+            "{:#}\n",
+            Value::Array(rows.iter().map(|row| to_json(row)).collect())
+        )
     } else {
         table(&rows)
     };
@@ -39,7 +42,13 @@ fn to_json(row: &KeywordRow) -> Value {
 
 /// In columns, the widest texts last.
 fn table(rows: &[&KeywordRow]) -> String {
-    let heading = ["word", "kind", "support", "syntax", "what it does [section of the manual]"];
+    let heading = [
+        "word",
+        "kind",
+        "support",
+        "syntax",
+        "what it does [section of the manual]",
+    ];
     let mut lines = vec![heading.map(str::to_owned)];
     lines.extend(rows.iter().map(|row| {
         let (support, why) = match row.support {
@@ -55,7 +64,9 @@ fn table(rows: &[&KeywordRow]) -> String {
     let mut text = String::new();
     for line in &lines {
         let cells = line.iter().zip(&widths);
-        let padded: Vec<String> = cells.map(|(cell, width)| format!("{cell:width$}")).collect();
+        let padded: Vec<String> = cells
+            .map(|(cell, width)| format!("{cell:width$}"))
+            .collect();
         text.push_str(padded.join("  ").trim_end());
         text.push('\n');
     }

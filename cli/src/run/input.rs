@@ -42,7 +42,8 @@ impl Source {
         if !io::stdin().is_terminal() || !io::stdout().is_terminal() {
             return Ok(Source::Pipe);
         }
-        terminal::enable_raw_mode().map_err(|error| format!("the terminal: {}", files::reason(&error)))?;
+        terminal::enable_raw_mode()
+            .map_err(|error| format!("the terminal: {}", files::reason(&error)))?;
         let (sender, keys) = channel();
         std::thread::spawn(move || {
             for key in io::stdin().lock().bytes().map_while(Result::ok) {

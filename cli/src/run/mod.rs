@@ -31,7 +31,11 @@ pub(crate) fn run(arguments: &RunArguments) -> Result<u8, String> {
         session.type_line(line)?;
     }
     let batch = !arguments.typed.is_empty();
-    let source = if batch { Source::Nothing } else { Source::standard_input()? };
+    let source = if batch {
+        Source::Nothing
+    } else {
+        Source::standard_input()?
+    };
     let ended = session.run(source, arguments.program.is_none() && !batch)?;
     if record && let Some(first) = session.lost() {
         eprintln!("the record is full: it starts at {} s", first.seconds());

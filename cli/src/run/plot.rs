@@ -44,13 +44,27 @@ impl Look {
 
 /// What is demanded lies, wider, under what is.
 const LOOKS: [Look; 2] = [
-    Look { label: "demanded", colour: RGBColor(245, 158, 11), width: 4 },
-    Look { label: "actual", colour: RGBColor(37, 99, 235), width: 2 },
+    Look {
+        label: "demanded",
+        colour: RGBColor(245, 158, 11),
+        width: 4,
+    },
+    Look {
+        label: "actual",
+        colour: RGBColor(37, 99, 235),
+        width: 2,
+    },
 ];
 
 /// The drawing, or one clear line why there is none.
-pub(super) fn svg(info: &ControllerInfo, trace: Option<&Trace>, title: &str) -> Result<String, String> {
-    let trace = trace.filter(|trace| !trace.is_empty()).ok_or("nothing was recorded")?;
+pub(super) fn svg(
+    info: &ControllerInfo,
+    trace: Option<&Trace>,
+    title: &str,
+) -> Result<String, String> {
+    let trace = trace
+        .filter(|trace| !trace.is_empty())
+        .ok_or("nothing was recorded")?;
     let strips: Vec<Strip> = info
         .axes
         .iter()
@@ -82,7 +96,10 @@ fn strip<'a>(
     };
     let found: Vec<usize> = names.iter().filter_map(|name| find(name)).collect();
     let first = *found.first()?;
-    let lines = found.iter().zip(LOOKS).map(|(&signal, look)| Line { look, points: points(trace, signal) });
+    let lines = found.iter().zip(LOOKS).map(|(&signal, look)| Line {
+        look,
+        points: points(trace, signal),
+    });
     let lines = lines.collect();
     Some(Strip {
         title: format!("{axis} {quantity}"),
@@ -94,13 +111,19 @@ fn strip<'a>(
 /// A signal over seconds: every row, or of many rows the extremes of each point.
 fn points(trace: &Trace, signal: usize) -> Vec<(f64, f64)> {
     if trace.len() <= POINTS {
-        return trace.rows(signal).map(|(at, value)| (at.seconds(), value)).collect();
+        return trace
+            .rows(signal)
+            .map(|(at, value)| (at.seconds(), value))
+            .collect();
     }
     let Some((from, to)) = trace.span() else {
         return Vec::new();
     };
     let width = (to.seconds() - from.seconds()) / POINTS as f64;
-    let extremes = trace.extremes(signal, from, to, POINTS).into_iter().enumerate();
+    let extremes = trace
+        .extremes(signal, from, to, POINTS)
+        .into_iter()
+        .enumerate();
     extremes
         .filter_map(|(index, found)| Some((from.seconds() + (index as f64 + 0.5) * width, found?)))
         .flat_map(|(at, found)| [(at, found.min), (at, found.max)])
@@ -120,7 +143,11 @@ fn draw(svg: &mut String, size: (u32, u32), title: &str, strips: &[Strip]) -> Dr
         root.draw(&Text::new(look.label, (x + 32, 18), font.clone()))?;
     }
     let (_, below) = root.split_vertically(TITLE);
-    for (area, strip) in below.split_evenly((strips.len().max(1), 1)).iter().zip(strips) {
+    for (area, strip) in below
+        .split_evenly((strips.len().max(1), 1))
+        .iter()
+        .zip(strips)
+    {
         draw_strip(area, strip)?;
     }
     root.present()?;
@@ -177,7 +204,11 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 /// A label of an axis: no more digits than it needs.
 fn number(value: f64) -> String {
     let rounded = (value * 1e6).round() / 1e6;
-    if rounded == 0.0 { "0".to_owned() } else { rounded.to_string() }
+    if rounded == 0.0 {
+        "0".to_owned()
+    } else {
+        rounded.to_string()
+    }
 }
 
 #[cfg(test)]

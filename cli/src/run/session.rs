@@ -102,7 +102,11 @@ impl Session {
         let mut still = 0;
         while self.bench.now() < boot && still < STILL {
             self.sample()?;
-            still = if matches!(self.at(), At::Work) { 0 } else { still + 1 };
+            still = if matches!(self.at(), At::Work) {
+                0
+            } else {
+                still + 1
+            };
         }
         Ok(())
     }
@@ -144,7 +148,8 @@ impl Session {
             if over {
                 return self.ended(Ended::TimeGiven);
             }
-            if self.stop.is_none() && self.bench.now().since(since) >= MOST && !source.is_terminal() {
+            if self.stop.is_none() && self.bench.now().since(since) >= MOST && !source.is_terminal()
+            {
                 return self.ended(Ended::TimeOut);
             }
             self.sample()?;
