@@ -100,7 +100,8 @@ impl Client {
         }
     }
 
-    fn end(&self) {
+    /// Ends the worker.
+    pub fn end(&self) {
         if let Some(worker) = self.0.borrow_mut().worker.take() {
             worker.terminate();
         }

@@ -41,8 +41,8 @@ after(async () => {
  * The test fails too if the page logs any other error, breaks its Content-Security-Policy, misses
  * a file or asks another server for anything.
  */
-export function siteTest(name, body, { own = false } = {}) {
-  test(name, { timeout: 120_000 }, async () => {
+export function siteTest(name, body, { own = false, timeout = 120_000 } = {}) {
+  test(name, { timeout }, async () => {
     const server = own ? await serve(setting("MOTIONBENCH_SITE")) : shared;
     const serviceWorkers = own ? "allow" : "block";
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers });

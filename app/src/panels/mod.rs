@@ -11,6 +11,7 @@ mod estop;
 mod frame;
 mod io;
 mod popover;
+mod project;
 mod room;
 mod save;
 mod scope;
@@ -23,23 +24,43 @@ use leptos::prelude::*;
 
 use crate::offline::Updates;
 use crate::state::Store;
+use crate::storage::Keeper;
 
 /// Puts the page into the document.
 pub fn mount() {
     mount_to_body(|| {
         let store = Store::start();
         let updates = Updates::start();
+        let keeper = Keeper::new(Keeper::DATABASE);
+        store.keep(keeper);
         view! {
-            <topbar::TopBar store />
+            <topbar::TopBar store keeper />
             <estop::EStopNotice store />
             <Fault store />
+            <Notice store />
+            <project::KeepingNotice store keeper />
             <update::UpdatePrompt updates />
             <frame::Frame store />
             <terminal::Compose store />
-            <status::StatusLine store updates />
+            <status::StatusLine store keeper updates />
             <frame::Tabs store />
         }
     });
+}
+
+/// What the user should know, and may put away.
+#[component]
+fn Notice(store: Store) -> impl IntoView {
+    move || {
+        store.notice.get().map(|words| {
+            view! {
+                <div class="fault" role="status">
+                    <p>{words}</p>
+                    <button type="button" class="button" on:click=move |_| store.notice.set(None)>"OK"</button>
+                </div>
+            }
+        })
+    }
 }
 
 /// What has gone wrong with the page itself, and the cure.

@@ -5,13 +5,14 @@ use leptos::prelude::*;
 use crate::offline::Updates;
 use crate::state::device::{Activity, line_words};
 use crate::state::{Device, Store, words};
+use crate::storage::Keeper;
 
 /// More than this many characters on their way to the controller are worth a word.
 const WORTH_TELLING: usize = 80;
 
 /// The status line.
 #[component]
-pub(super) fn StatusLine(store: Store, updates: Updates) -> impl IntoView {
+pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl IntoView {
     let memo = move |read: fn(&Device) -> String| Memo::new(move |_| store.device.with(read));
     let activity = Memo::new(move |_| store.device.with(Device::activity));
     let line = memo(|device| {
@@ -54,6 +55,7 @@ pub(super) fn StatusLine(store: Store, updates: Updates) -> impl IntoView {
             <span class="figures time">"t = "{time}</span>
             <span class="figures settings">{settings}</span>
             <span class="figures pending">{pending}</span>
+            <span class="figures saved">{move || keeper.state.get().words()}</span>
             <span class="offline">{move || updates.state.get().words()}</span>
             <span class="keyboard">{keyboard}</span>
         </footer>

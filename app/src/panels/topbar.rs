@@ -7,10 +7,12 @@ use web_sys::KeyboardEvent;
 use super::dialog::Dialog;
 use super::estop::EStop;
 use super::frame;
+use super::project::ProjectMenu;
 use crate::protocol::{Speed, ToWorker};
 use crate::state::keys::{Press, Shortcut, shortcut};
 use crate::state::layout::{Layout, Panel};
 use crate::state::{Device, Store, words};
+use crate::storage::Keeper;
 
 /// What can be chosen, and how it reads.
 const SPEEDS: [(Speed, &str); 8] = [
@@ -26,7 +28,7 @@ const SPEEDS: [(Speed, &str); 8] = [
 
 /// The top bar.
 #[component]
-pub(super) fn TopBar(store: Store) -> impl IntoView {
+pub(super) fn TopBar(store: Store, keeper: Keeper) -> impl IntoView {
     let name = Memo::new(move |_| store.device.with(|device| device.name.clone()));
     let help = RwSignal::new(false);
     let listener = window_event_listener(ev::keydown, move |event| press(store, &event));
@@ -34,6 +36,7 @@ pub(super) fn TopBar(store: Store) -> impl IntoView {
     view! {
         <header class="topbar">
             <h1 class="brand">"Motion"<span>"bench"</span></h1>
+            <ProjectMenu store keeper />
             <span class="chip controller">{name}</span>
             <Program store />
             <Power store />

@@ -69,7 +69,8 @@ impl Device {
         match news {
             News::Ready(ready) => {
                 self.name.clone_from(&ready.controller);
-                self.line = Some(ready.line);
+                // A worker that replaces another is set as the user had set it.
+                self.line.get_or_insert(ready.line);
             }
             News::Frame(frame, _) => {
                 self.status = Some(frame.status.clone());

@@ -3,10 +3,12 @@
 pub mod axis;
 pub mod device;
 pub mod editor;
+mod keeping;
 pub mod keys;
 pub mod layout;
 mod program;
 pub mod project;
+mod revive;
 pub mod scope;
 mod store;
 pub mod terminal;

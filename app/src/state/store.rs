@@ -6,13 +6,15 @@ use leptos::prelude::*;
 use motionbench_core::catalog::KINDS;
 use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
+use motionbench_core::serial::LineSettings;
 
 use super::editor::{EditorState, FIRST_PROGRAM};
-use super::layout::Layout;
+use super::project::Layout;
+use super::revive::Health;
 use super::scope::Scope;
 use super::terminal::Terminal;
 use super::wiring::Wiring;
-use super::{Device, News};
+use super::{Device, Fault, News};
 use crate::client::Client;
 use crate::protocol::{ToWorker, Unloadable};
 
@@ -29,6 +31,8 @@ pub struct Store {
     pub editing: RwSignal<bool>,
     /// Grows when the terminal looks different.
     pub printed: RwSignal<u64>,
+    /// How the switches outside the controller stand.
+    pub wiring: RwSignal<Wiring>,
     /// Grows when the scope looks different.
     pub recorded: RwSignal<u64>,
     /// The program that the user edits.
@@ -39,11 +43,14 @@ pub struct Store {
     pub refusal: RwSignal<Option<Unloadable>>,
     /// What the controller held when it was last asked.
     pub kept: RwSignal<Option<Memory>>,
+    /// The project's name.
+    pub project_name: RwSignal<String>,
+    /// Something that the user should know, until it is put away.
+    pub notice: RwSignal<Option<&'static str>>,
     terminal: StoredValue<Terminal, LocalStorage>,
     scope: StoredValue<Scope, LocalStorage>,
-    client: StoredValue<Option<Client>, LocalStorage>,
-    /// How the switches outside the controller stand.
-    pub wiring: RwSignal<Wiring>,
+    pub(super) client: StoredValue<Option<Client>, LocalStorage>,
+    pub(super) health: StoredValue<Health>,
 }
 
 impl Store {
@@ -55,18 +62,21 @@ impl Store {
             typing: RwSignal::new(false),
             editing: RwSignal::new(false),
             printed: RwSignal::new(0),
+            wiring: RwSignal::default(),
             recorded: RwSignal::new(0),
             editor: RwSignal::new(EditorState::new(&KINDS[0], FIRST_PROGRAM)),
             asked: RwSignal::new(false),
             refusal: RwSignal::new(None),
             kept: RwSignal::new(None),
+            project_name: RwSignal::new("My project".to_owned()),
+            notice: RwSignal::new(None),
+            health: StoredValue::new(Health::default()),
             terminal: StoredValue::new_local(Terminal::default()),
             scope: StoredValue::new_local(Scope::default()),
             client: StoredValue::new_local(None),
-            wiring: RwSignal::default(),
         };
-        let client = Client::start(move |news| store.hear(&news));
-        store.client.set_value(Some(client));
+        store.start_worker();
+        store.look_after_worker();
         store.follow_breakpoints();
         store
     }
@@ -116,7 +126,13 @@ impl Store {
         self.recorded.update(|count| *count += 1);
     }
 
-    fn hear(&self, news: &News) {
+    /// Sets the terminal's end of the line.
+    pub fn set_line(&self, settings: LineSettings) {
+        self.device.update(|device| device.line = Some(settings));
+        self.send(ToWorker::Line(settings));
+    }
+
+    pub(super) fn hear(&self, news: &News) {
         let was_on = self.device.with_untracked(Device::is_on);
         match news {
             News::Ready(ready) => {
@@ -125,6 +141,7 @@ impl Store {
                 wiring.differences().into_iter().for_each(|m| self.send(m));
             }
             News::Frame(frame, samples) => {
+                self.health.update_value(Health::heard);
                 if !frame.console.is_empty() {
                     self.terminal
                         .update_value(|terminal| terminal.print(&frame.console));
@@ -144,6 +161,7 @@ impl Store {
                 self.hear_of_program(frame);
             }
             News::Answer(answer) => self.hear_answer(answer),
+            News::Fault(Fault::Died) => return self.revive(),
             News::Fault(_) => {}
         }
         self.device.update(|device| device.hear(news));
