@@ -5,6 +5,8 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, Url};
 
+use crate::clock;
+
 /// Gives the user a text as a file.
 pub(super) fn save_text(name: &str, kind: &str, text: &str) {
     let options = BlobPropertyBag::new();
@@ -27,8 +29,5 @@ pub(super) fn save(name: &str, contents: &Blob) {
         link.click();
     }
     // The browser has the contents by then.
-    set_timeout(
-        move || drop(Url::revoke_object_url(&address)),
-        std::time::Duration::from_secs(60),
-    );
+    clock::after(60_000, move || drop(Url::revoke_object_url(&address))).forget();
 }
