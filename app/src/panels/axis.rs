@@ -1,14 +1,20 @@
 //! The axis as a thing that moves: a carriage on its track, and the shaft of the motor.
 
+use std::time::Duration;
+
 use leptos::prelude::*;
 
+use super::draw;
 use super::io::DriveState;
 use crate::clock;
-use crate::state::axis::{Track, angle};
+use crate::state::axis;
 use crate::state::{Store, words};
 
 /// Who wants less motion sees the axis at most so often while it moves, ms.
 const CALM_MS: f64 = 500.0;
+
+/// The number beside the track changes at most so often.
+const WORDS: Duration = Duration::from_millis(100);
 
 /// Where the axis is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +29,7 @@ struct Seen {
 #[component]
 pub(super) fn Axis(store: Store) -> impl IntoView {
     let seen = look(store);
-    let track = StoredValue::new_local(Track::default());
+    let track = StoredValue::new_local(axis::Track::default());
     let place = Memo::new(move |_| {
         let Seen {
             actual,
@@ -36,7 +42,7 @@ pub(super) fn Axis(store: Store) -> impl IntoView {
                 track.take(actual, demanded, moving);
                 (track.place(actual), track.place(demanded), track.scale())
             })
-            .unwrap_or_else(|| (0.0, 0.0, Track::default().scale()))
+            .unwrap_or_else(|| (0.0, 0.0, axis::Track::default().scale()))
     });
     let scale = Memo::new(move |_| place.get().2);
     let marks = move || {
@@ -47,8 +53,16 @@ pub(super) fn Axis(store: Store) -> impl IntoView {
         };
         scale.marks().map(mark).collect_view()
     };
-    let value = Memo::new(move |_| words::value(seen.get().actual));
-    let hand = move || format!("rotate({:.1}deg)", angle(seen.get().shaft));
+    // Changes no faster than it can be read.
+    let value = RwSignal::new(String::new());
+    let say = draw::after(WORDS, move || {
+        value.set(words::value(seen.get_untracked().actual))
+    });
+    Effect::new(move |_| {
+        seen.track();
+        say();
+    });
+    let hand = move || format!("rotate({:.1}deg)", axis::angle(seen.get().shaft));
     // Said when it begins and when it ends, not all the way.
     let moving = Memo::new(move |_| seen.get().moving);
     let said = move || {
@@ -66,8 +80,8 @@ pub(super) fn Axis(store: Store) -> impl IntoView {
             </div>
             <div class="track" aria-hidden="true">
                 {marks}
-                <span class="ghost" style:left=move || percent(place.get().1)></span>
-                <span class="carriage" style:left=move || percent(place.get().0)></span>
+                <span class="ghost" style:--at=move || format!("{:.4}", place.get().1)></span>
+                <span class="carriage" style:--at=move || format!("{:.4}", place.get().0)></span>
             </div>
             <div class="axis-words">
                 <p class="position" aria-hidden="true">{value}<span class="muted">" counts"</span></p>

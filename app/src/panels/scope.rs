@@ -1,12 +1,14 @@
 //! The scope: strips of what was recorded, on one time axis.
 
+use std::time::Duration;
+
 use leptos::html;
 use leptos::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use super::{draw, room};
 use crate::state::Store;
-use crate::state::scope::{Strip, folded};
+use crate::state::scope::{Scope as State, Strip, folded};
 
 mod controls;
 mod cursors;
@@ -30,13 +32,19 @@ const TIME_AXIS: f64 = 1.75;
 /// Where fingers are to be expected, as in the style sheet.
 const TOUCHED: &str = "(max-width: 43.75rem), (pointer: coarse)";
 
-/// The canvases that are in the page, by the names of their strips.
+/// Words beside the plots change at most so often: no one reads faster.
+const WORDS: Duration = Duration::from_millis(100);
+
+/// The canvases that are in the page, by the names of their strips, and what has them and the words beside them
+/// follow.
 #[derive(Clone, Copy)]
 struct Sheets {
     strips: StoredValue<Vec<(String, HtmlCanvasElement)>, LocalStorage>,
     time: NodeRef<html::Canvas>,
     /// Grows when there is other room.
     changed: RwSignal<u64>,
+    /// Grows when there may be other words.
+    words: RwSignal<u64>,
 }
 
 impl Sheets {
@@ -45,7 +53,32 @@ impl Sheets {
             strips: StoredValue::new_local(Vec::new()),
             time: NodeRef::new(),
             changed: RwSignal::new(0),
+            words: RwSignal::new(0),
         }
+    }
+
+    /// Reads what the user chooses.
+    fn choice<T: PartialEq + Send + Sync + 'static>(
+        store: Store,
+        read: impl Fn(&State) -> T + Send + Sync + 'static,
+    ) -> Memo<T> {
+        Memo::new(move |_| {
+            store.chosen.track();
+            store.with_scope(&read)
+        })
+    }
+
+    /// Reads what changes with the samples too, as often as it can be read.
+    fn word<T: PartialEq + Send + Sync + 'static>(
+        self,
+        store: Store,
+        read: impl Fn(&State) -> T + Send + Sync + 'static,
+    ) -> Memo<T> {
+        Memo::new(move |_| {
+            store.chosen.track();
+            self.words.track();
+            store.with_scope(&read)
+        })
     }
 
     /// Fits a canvas to the room that its frame has, now and when it changes.
@@ -68,10 +101,12 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
     let draw = draw::before_paint(move || draw(store, sheets));
     sheets.time.on_load(move |canvas| sheets.fit(canvas));
     plot::on_color_scheme(draw.clone());
+    let say = draw::after(WORDS, move || sheets.words.update(|count| *count += 1));
     Effect::new(move |_| {
         store.recorded.track();
         sheets.changed.track();
         draw();
+        say();
     });
     let scroller = NodeRef::<html::Div>::new();
     let height = RwSignal::new(0.0);
@@ -79,7 +114,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
         room::watch(&element, move |_, now| height.set(now / rem()));
     });
     let folds = Memo::new(move |_| {
-        store.recorded.track();
+        store.chosen.track();
         store.with_scope(|scope| folds(scope.strips(), height.get()))
     });
     let names = Memo::new(move |_| {
@@ -90,10 +125,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                 .collect::<Vec<_>>()
         })
     });
-    let shown = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| scope.view().is_some())
-    });
+    let shown = sheets.word(store, |scope| scope.view().is_some());
     let over = NodeRef::<html::Div>::new();
     view! {
         <section class="panel scope" aria-labelledby="scope-title">

@@ -19,7 +19,7 @@ mod touches;
 mod window;
 
 pub use cursors::Reading;
-pub use picture::{Line, Picture};
+pub use picture::{Line, Picture, thin};
 pub use scale::Scale;
 pub use strips::{Strip, Trace as Shown, folded, name};
 pub use touches::{Moved, Touches};

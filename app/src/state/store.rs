@@ -33,6 +33,8 @@ pub struct Store {
     pub printed: RwSignal<u64>,
     /// How the switches outside the controller stand.
     pub wiring: RwSignal<Wiring>,
+    /// Grows when the user changes what the scope shows.
+    pub chosen: RwSignal<u64>,
     /// Grows when the scope looks different.
     pub recorded: RwSignal<u64>,
     /// The program that the user edits.
@@ -63,6 +65,7 @@ impl Store {
             editing: RwSignal::new(false),
             printed: RwSignal::new(0),
             wiring: RwSignal::default(),
+            chosen: RwSignal::new(0),
             recorded: RwSignal::new(0),
             editor: RwSignal::new(EditorState::new(&KINDS[0], FIRST_PROGRAM)),
             asked: RwSignal::new(false),
@@ -123,6 +126,7 @@ impl Store {
     /// Does what the user wants of the scope.
     pub fn change_scope(&self, change: impl FnOnce(&mut Scope)) {
         self.scope.update_value(change);
+        self.chosen.update(|count| *count += 1);
         self.recorded.update(|count| *count += 1);
     }
 

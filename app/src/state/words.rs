@@ -42,11 +42,11 @@ pub fn number(value: f64, digits: usize) -> String {
     words
 }
 
-/// A value beside a mark, where there is little room: `120k`, `1.5M`.
+/// A value beside a mark, where there is little room: `20k`, `1.5M`.
 pub fn short(value: f64, digits: usize) -> String {
     match value.abs() {
         size if size >= 1e6 => format!("{}M", decimal(value / 1e6)),
-        size if size >= 1e5 => format!("{}k", decimal(value / 1e3)),
+        size if size >= 1e4 => format!("{}k", decimal(value / 1e3)),
         _ => number(value, digits),
     }
 }
@@ -111,8 +111,8 @@ mod tests {
 
     #[test]
     fn a_mark_is_short() {
-        assert_eq!(short(60_000.0, 0), "60\u{202f}000");
-        assert_eq!(short(-120_000.0, 0), "\u{2212}120k");
+        assert_eq!(short(5000.0, 0), "5\u{202f}000");
+        assert_eq!(short(-12_500.0, 0), "\u{2212}12.5k");
         assert_eq!(short(1_250_000.0, 0), "1.25M");
         assert_eq!(short(0.5, 1), "0.5");
     }

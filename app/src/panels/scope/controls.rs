@@ -10,9 +10,9 @@ use crate::state::scope::{Follow, Scope, name};
 
 /// What the picture can keep up with, and how that reads.
 const FOLLOWS: [(Follow, &str, &str); 3] = [
-    (Follow::Motion, "motion", "From the start of motion"),
-    (Follow::Newest, "newest", "The newest samples"),
-    (Follow::Nothing, "chosen", "What I chose"),
+    (Follow::Motion, "motion", "Start of motion"),
+    (Follow::Newest, "newest", "Newest samples"),
+    (Follow::Nothing, "chosen", "Chosen part"),
 ];
 /// A press of a button changes the time that is shown by this.
 const ZOOM: f64 = 1.5;
@@ -20,15 +20,9 @@ const ZOOM: f64 = 1.5;
 /// The tools of the scope.
 #[component]
 pub(super) fn Controls(store: Store, sheets: Sheets) -> impl IntoView {
-    let read = move |read: fn(&Scope) -> bool| {
-        Memo::new(move |_| {
-            store.recorded.track();
-            store.with_scope(read)
-        })
-    };
-    let paused = read(Scope::is_paused);
-    let cursors = read(|scope| scope.cursors().is_some());
-    let empty = read(|scope| scope.view().is_none());
+    let paused = Sheets::choice(store, Scope::is_paused);
+    let cursors = Sheets::choice(store, |scope| scope.cursors().is_some());
+    let empty = sheets.word(store, |scope| scope.view().is_none());
     let zoom = move |factor| move |_| store.change_scope(|scope| scope.zoom(factor, 0.5));
     view! {
         <div class="tools" role="group" aria-label="Scope">
@@ -65,10 +59,7 @@ pub(super) fn Controls(store: Store, sheets: Sheets) -> impl IntoView {
 /// What the picture keeps up with.
 #[component]
 fn FollowChoice(store: Store) -> impl IntoView {
-    let follows = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(Scope::follows)
-    });
+    let follows = Sheets::choice(store, Scope::follows);
     let options = FOLLOWS.map(|(follow, value, label)| {
         let selected = move || follows.get() == follow;
         view! { <option value=value prop:selected=selected>{label}</option> }
@@ -87,14 +78,11 @@ fn FollowChoice(store: Store) -> impl IntoView {
 /// All that is recorded: drawn or not.
 #[component]
 fn Traces(store: Store) -> impl IntoView {
-    let signals = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| scope.signals().iter().map(name).collect::<Vec<_>>())
-    });
+    let names = |scope: &Scope| scope.signals().iter().map(name).collect::<Vec<_>>();
+    let signals = Sheets::choice(store, names);
     let choice = move |(signal, name): (usize, String)| {
-        let shown = Memo::new(move |_| {
-            store.recorded.track();
-            store.with_scope(|scope| scope.traces().any(|(_, trace)| trace.signal == signal))
+        let shown = Sheets::choice(store, move |scope| {
+            scope.traces().any(|(_, trace)| trace.signal == signal)
         });
         view! {
             <label class="item">

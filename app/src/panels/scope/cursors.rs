@@ -4,6 +4,7 @@ use leptos::html;
 use leptos::prelude::*;
 use web_sys::{KeyboardEvent, PointerEvent};
 
+use super::Sheets;
 use super::gestures::place;
 use crate::state::scope::{Reading, Scope, Strip};
 use crate::state::{Store, wiring, words};
@@ -16,10 +17,7 @@ const FAR: f64 = 10.0;
 /// Both cursors.
 #[component]
 pub(super) fn Cursors(store: Store, over: NodeRef<html::Div>) -> impl IntoView {
-    let shown = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| scope.cursors().is_some())
-    });
+    let shown = Sheets::choice(store, |scope| scope.cursors().is_some());
     view! {
         <Show when=move || shown.get()>
             <Cursor store over which=0 />
@@ -118,10 +116,8 @@ fn said(scope: &Scope, which: usize) -> Option<String> {
 /// The time between the cursors, beside the time axis.
 #[component]
 pub(super) fn Between(store: Store) -> impl IntoView {
-    let text = Memo::new(move |_| {
-        store.recorded.track();
-        let seconds = store.with_scope(Scope::between_cursors)?;
-        Some(format!("{} s", words::number(seconds, 3)))
+    let text = Sheets::choice(store, |scope| {
+        Some(format!("{} s", words::number(scope.between_cursors()?, 3)))
     });
     view! {
         <p class="between figures">
@@ -133,12 +129,9 @@ pub(super) fn Between(store: Store) -> impl IntoView {
 /// What the cursors tell of a strip, over its plot.
 #[component]
 pub(super) fn Readings(store: Store, name: StoredValue<String>) -> impl IntoView {
-    let rows = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| {
-            let strip = name.with_value(|name| scope.strip(name));
-            strip.map_or_else(Vec::new, |strip| rows(scope, strip))
-        })
+    let rows = Sheets::choice(store, move |scope| {
+        let strip = name.with_value(|name| scope.strip(name));
+        strip.map_or_else(Vec::new, |strip| rows(scope, strip))
     });
     let row = |(color, cells): (usize, [String; 4])| {
         let key = format!("key trace-{color}");

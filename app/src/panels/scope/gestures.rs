@@ -4,6 +4,7 @@ use leptos::html;
 use leptos::prelude::*;
 use web_sys::{HtmlDivElement, KeyboardEvent, PointerEvent, WheelEvent};
 
+use super::Sheets;
 use crate::state::Store;
 use crate::state::scope::{Follow, Moved, Scope, Touches};
 
@@ -71,9 +72,8 @@ pub(super) fn Plots(store: Store, over: NodeRef<html::Div>, children: Children) 
 /// The way back, while the picture shows what the user chose.
 #[component]
 fn Again(store: Store) -> impl IntoView {
-    let lost = Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| scope.follows() == Follow::Nothing && !scope.is_paused())
+    let lost = Sheets::choice(store, |scope| {
+        scope.follows() == Follow::Nothing && !scope.is_paused()
     });
     view! {
         <Show when=move || lost.get()>

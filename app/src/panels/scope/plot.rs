@@ -10,14 +10,14 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, MediaQueryList};
 
 use super::fine::{FINE, Fine};
-use crate::state::scope::{Line, Picture, Scale};
+use crate::state::scope::{Line, Picture, Scale, thin};
 use crate::state::words;
 
 /// Height of a strip that its line leaves free above and below, as a part of the whole.
 const MARGIN: f64 = 0.1;
 /// Beside the lines, in the page's own size of text, as in the style sheet: room for the numbers on the left, and for
 /// half of the last one on the right.
-const LEFT: f64 = 3.25;
+const LEFT: f64 = 2.75;
 const RIGHT: f64 = 1.0;
 /// The least distance of two marks of a strip, CSS pixels.
 const MARK: f64 = 40.0;
@@ -239,7 +239,9 @@ pub(super) fn strip(surface: &Surface, time: Scale, picture: &Picture, colors: &
             surface.clipped(&edges, line.second, || {
                 let width = if line.second { SECOND } else { LINE };
                 let style = surface.stroke(colors.of(line), width);
-                plot.draw(&PathElement::new(line.points.as_slice(), style))?;
+                let points = line.points.iter().map(|point| plot.map_coordinate(point));
+                let points = thin(points, FINE / 4);
+                surface.area.draw(&PathElement::new(points, style))?;
                 Ok(())
             })?;
         }

@@ -33,11 +33,13 @@ pub(super) fn StripView(
     let folded = Memo::new(move |_| {
         folds.with(|folds| name.with_value(|name| folds.contains(&(name.clone(), true))))
     });
-    let values = reading(store, name, |scope, strip| {
+    let values = sheets.word(store, move |scope| {
+        let strip = name.with_value(|name| scope.strip(name));
+        let traces = strip.map_or(&[][..], |strip| &strip.traces);
         let value = |trace| value(scope, trace);
-        strip.traces.iter().map(value).collect::<Vec<_>>()
+        traces.iter().map(value).collect::<Vec<_>>()
     });
-    let unit = reading(store, name, |_, strip| match strip.has_lanes() {
+    let unit = choice(store, name, |strip| match strip.has_lanes() {
         true => "on".to_owned(),
         false => words::unit(&strip.unit),
     });
@@ -81,18 +83,15 @@ pub(super) fn StripView(
     }
 }
 
-/// Reads a strip whenever there may be something new about it.
-fn reading<T: PartialEq + Default + Send + Sync + 'static>(
+/// Reads what the user chooses of a strip.
+fn choice<T: PartialEq + Default + Send + Sync + 'static>(
     store: Store,
     name: StoredValue<String>,
-    read: impl Fn(&Scope, &Strip) -> T + Send + Sync + 'static,
+    read: fn(&Strip) -> T,
 ) -> Memo<T> {
-    Memo::new(move |_| {
-        store.recorded.track();
-        store.with_scope(|scope| {
-            let strip = name.with_value(|name| scope.strip(name));
-            strip.map_or_else(T::default, |strip| read(scope, strip))
-        })
+    Sheets::choice(store, move |scope| {
+        let strip = name.with_value(|name| scope.strip(name));
+        strip.map_or_else(T::default, read)
     })
 }
 
@@ -127,7 +126,7 @@ fn register(sheets: Sheets, canvas: NodeRef<html::Canvas>, name: String) {
 /// What can be done with a strip.
 #[component]
 fn StripMenu(store: Store, name: StoredValue<String>, folded: Memo<bool>) -> impl IntoView {
-    let lanes = reading(store, name, |_, strip| strip.has_lanes());
+    let lanes = choice(store, name, Strip::has_lanes);
     let change = move |change: &dyn Fn(&mut Scope, &str)| {
         name.with_value(|name| store.change_scope(|scope| change(scope, name)));
     };
@@ -146,7 +145,7 @@ fn StripMenu(store: Store, name: StoredValue<String>, folded: Memo<bool>) -> imp
 /// Automatic or fixed, and from where to where.
 #[component]
 fn ScaleChoice(store: Store, name: StoredValue<String>) -> impl IntoView {
-    let fixed = reading(store, name, |_, strip| strip.fixed);
+    let fixed = choice(store, name, |strip| strip.fixed);
     let set = move |scale: Option<Scale>| {
         name.with_value(|name| store.change_scope(|scope| scope.fix(name, scale)));
     };

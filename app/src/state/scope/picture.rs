@@ -181,3 +181,82 @@ fn columns_of(view: View, columns: usize) -> (f64, f64) {
     let left = view.seconds(view.from);
     (left, (view.seconds(view.to) - left) / columns.max(1) as f64)
 }
+
+/// The points of a line that goes from left to right which are needed to draw it no further than `tolerance` from
+/// where it is: of what is level or straight, both ends.
+pub fn thin(points: impl IntoIterator<Item = (i32, i32)>, tolerance: i32) -> Vec<(i32, i32)> {
+    let tolerance = f64::from(tolerance);
+    let mut kept: Vec<(i32, i32)> = Vec::new();
+    // The last point that is not kept yet, and the slopes of lines from the last kept one that pass all between.
+    let mut open: Option<(i32, i32)> = None;
+    let mut slopes = (f64::NEG_INFINITY, f64::INFINITY);
+    for point in points {
+        let Some(&(x, y)) = kept.last() else {
+            kept.push(point);
+            continue;
+        };
+        let slope = |x: i32, y: i32, off: f64| {
+            let (width, height) = (f64::from(point.0 - x), f64::from(point.1 - y));
+            (height + off) / width
+        };
+        let narrowed = (
+            slopes.0.max(slope(x, y, -tolerance)),
+            slopes.1.min(slope(x, y, tolerance)),
+        );
+        let direct = slope(x, y, 0.0);
+        if point.0 > x && (narrowed.0..=narrowed.1).contains(&direct) {
+            (open, slopes) = (Some(point), narrowed);
+            continue;
+        }
+        kept.extend(open.take());
+        slopes = (f64::NEG_INFINITY, f64::INFINITY);
+        let (x, y) = kept.last().copied().unwrap_or(point);
+        if point.0 > x {
+            slopes = (slope(x, y, -tolerance), slope(x, y, tolerance));
+            open = Some(point);
+        } else {
+            kept.push(point);
+        }
+    }
+    kept.extend(open);
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn straight_parts_need_their_ends_alone() {
+        let level = (0..100).map(|x| (x, 7));
+        let rise = (100..200).map(|x| (x, 7 + (x - 99) * 3));
+        assert_eq!(thin(level.chain(rise), 1), [(0, 7), (99, 7), (199, 307)]);
+    }
+
+    #[test]
+    fn a_thinned_line_is_nowhere_far_from_the_line() {
+        let wave = |x: i32| (f64::from(x) / 40.0).sin() * 300.0;
+        let points: Vec<(i32, i32)> = (0..1000).map(|x| (x, wave(x) as i32)).collect();
+        let kept = thin(points.iter().copied(), 2);
+        assert!(kept.len() < 200, "{} points", kept.len());
+        for pair in kept.windows(2) {
+            let ((left, from), (right, to)) = (pair[0], pair[1]);
+            for &(x, y) in &points[left as usize..=right as usize] {
+                let part = f64::from(x - left) / f64::from(right - left);
+                let drawn = f64::from(from) + f64::from(to - from) * part;
+                assert!((drawn - f64::from(y)).abs() <= 4.0, "at {x}");
+            }
+        }
+        assert_eq!(kept.last(), points.last());
+    }
+
+    #[test]
+    fn spikes_and_steps_stay() {
+        let points = [(0, 0), (5, 0), (5, 90), (6, 0), (9, 0), (9, 40), (9, 0)];
+        assert_eq!(
+            thin(points, 2),
+            [(0, 0), (5, 0), (5, 90), (6, 0), (9, 0), (9, 40), (9, 0)]
+        );
+        assert!(thin([], 2).is_empty());
+    }
+}
