@@ -17,7 +17,8 @@ pub(super) fn EStop(store: Store) -> impl IntoView {
     view! {
         <button type="button" class="estop" class:pressed=pressed title=title
             on:click=move |_| store.send(ToWorker::EmergencyStop(!pressed.get_untracked()))>
-            {move || if pressed.get() { "Release E-STOP" } else { "E-STOP" }}
+            {move || if pressed.get() { "Release " } else { "" }}
+            <span>"E-STOP"</span>
         </button>
     }
 }

@@ -134,6 +134,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                 <Controls store sheets />
             </header>
             <super::axis::Axis store />
+            <div class="scope-view">
             <div class="scope-room" node_ref=scroller>
                 <div class="strips">
                     <For each=move || names.get() key=String::clone let:name>
@@ -148,6 +149,8 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                     </gestures::Plots>
                     <Show when=move || !shown.get()><FirstSteps /></Show>
                 </div>
+            </div>
+            <gestures::Again store />
             </div>
             <super::io::Io store />
         </section>
@@ -202,13 +205,9 @@ fn draw(store: Store, sheets: Sheets) {
 fn FirstSteps() -> impl IntoView {
     view! {
         <div class="first-steps">
-            <p>"Nothing has moved yet. Type these three lines into the terminal, each with Enter:"</p>
-            <ol class="program">
-                <li><code>"10 MDRVEN()"</code><span>"switches the drive on"</span></li>
-                <li><code>"20 MMOVE(40960)"</code><span>"moves the axis ten turns"</span></li>
-                <li><code>"RUN"</code><span>"starts the program"</span></li>
-            </ol>
-            <p>"The axis is drawn here while it moves."</p>
+            <p>"Nothing has moved yet. Press Run: the controller gets the program of the editor and starts it."</p>
+            <p>"The terminal is the controller's own console: type commands and programs of yours there."</p>
+            <p>"Here the axis is drawn as soon as it moves."</p>
         </div>
     }
 }

@@ -72,7 +72,9 @@ pub fn value(value: f64) -> String {
 
 /// A unit as it is printed: `counts·256/sample`, which may be broken before the stroke.
 pub fn unit(unit: &str) -> String {
-    unit.replace('*', "\u{b7}").replace('/', "\u{200b}/")
+    unit.replace('*', "\u{b7}")
+        .replace("^2", "\u{b2}")
+        .replace('/', "\u{200b}/")
 }
 
 /// The speed of the simulation: `1.00`, `0.010`, `100`.

@@ -133,6 +133,14 @@ pub(super) fn Readings(store: Store, name: StoredValue<String>) -> impl IntoView
         let strip = name.with_value(|name| scope.strip(name));
         strip.map_or_else(Vec::new, |strip| rows(scope, strip))
     });
+    // On the side where the cursors are not.
+    let left = Sheets::choice(store, |scope| {
+        let (view, cursors) = (scope.view(), scope.cursors());
+        let places = view
+            .zip(cursors)
+            .map(|(view, at)| at.map(|at| view.place(at)));
+        places.is_some_and(|[a, b]| a + b > 1.0)
+    });
     let row = |(color, cells): (usize, [String; 4])| {
         let key = format!("key trace-{color}");
         let [a, b, difference, slope] = cells;
@@ -148,7 +156,7 @@ pub(super) fn Readings(store: Store, name: StoredValue<String>) -> impl IntoView
     };
     view! {
         <Show when=move || rows.with(|rows| !rows.is_empty())>
-            <div class="readings figures">{move || rows.get().into_iter().map(row).collect_view()}</div>
+            <div class="readings figures" class:left=left>{move || rows.get().into_iter().map(row).collect_view()}</div>
         </Show>
     }
 }

@@ -65,13 +65,12 @@ pub(super) fn Plots(store: Store, over: NodeRef<html::Div>, children: Children) 
             }>
             {children()}
         </div>
-        <Again store />
     }
 }
 
 /// The way back, while the picture shows what the user chose.
 #[component]
-fn Again(store: Store) -> impl IntoView {
+pub(super) fn Again(store: Store) -> impl IntoView {
     let lost = Sheets::choice(store, |scope| {
         scope.follows() == Follow::Nothing && !scope.is_paused()
     });
