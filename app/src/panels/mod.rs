@@ -13,7 +13,6 @@ mod io;
 mod popover;
 mod project;
 mod room;
-mod save;
 mod scope;
 mod status;
 mod terminal;

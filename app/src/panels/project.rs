@@ -11,6 +11,9 @@ use crate::state::project::{Project, ProjectError};
 use crate::state::versions::{Reason, Version};
 use crate::storage::{Fault, Keeper, Keeping, files};
 
+/// The media type of a project's file.
+const PROJECT: &str = "application/json";
+
 /// What the project dialog has to tell.
 #[derive(Clone)]
 enum Word {
@@ -35,7 +38,7 @@ impl Desk {
     }
 
     fn give(self, name: &str, text: &str) {
-        self.word.set(match files::save(name, text) {
+        self.word.set(match files::save(name, PROJECT, text) {
             Ok(()) => Word::Done("The file is among your downloads."),
             Err(_) => Word::Wrong("The browser does not let the page save files.".to_owned()),
         });
@@ -201,7 +204,7 @@ pub(super) fn KeepingNotice(store: Store, keeper: Keeper) -> impl IntoView {
 fn export(store: Store) {
     let project = store.project();
     // What the browser refuses, it says itself.
-    let _ = files::save(&project.file_name(), &project.file());
+    let _ = files::save(&project.file_name(), PROJECT, &project.file());
 }
 
 fn start_over(keeper: Keeper) {

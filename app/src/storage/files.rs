@@ -8,16 +8,24 @@ use web_sys::{Blob, BlobPropertyBag, File, HtmlAnchorElement, HtmlInputElement, 
 
 use crate::state::project::{LARGEST, ProjectError};
 
-/// Gives the user a text as a file of that name, as downloads are given.
+/// Gives the user a text of that media type as a file, as downloads are given.
 ///
 /// # Errors
 /// What the browser says.
-pub fn save(name: &str, text: &str) -> Result<(), JsValue> {
+pub fn save(name: &str, kind: &str, text: &str) -> Result<(), JsValue> {
     let options = BlobPropertyBag::new();
-    options.set_type("application/json");
+    options.set_type(kind);
     let parts = Array::of1(&text.into());
     let blob = Blob::new_with_str_sequence_and_options(&parts, &options)?;
-    let address = Url::create_object_url_with_blob(&blob)?;
+    save_blob(name, &blob)
+}
+
+/// Gives the user a file of these contents.
+///
+/// # Errors
+/// What the browser says.
+pub fn save_blob(name: &str, contents: &Blob) -> Result<(), JsValue> {
+    let address = Url::create_object_url_with_blob(contents)?;
     let link: HtmlAnchorElement = document().create_element("a")?.unchecked_into();
     link.set_href(&address);
     link.set_download(name);

@@ -4,9 +4,9 @@ use leptos::prelude::*;
 
 use super::{Sheets, export};
 use crate::panels::popover::Popover;
-use crate::panels::save;
 use crate::state::Store;
 use crate::state::scope::{Follow, Scope, name};
+use crate::storage::files;
 
 /// What the picture can keep up with, and how that reads.
 const FOLLOWS: [(Follow, &str, &str); 3] = [
@@ -46,7 +46,8 @@ pub(super) fn Controls(store: Store, sheets: Sheets) -> impl IntoView {
             <Popover label=|| "Export" name="Export">
                 <button type="button" class="item" on:click=move |_| {
                     let csv = store.with_scope(Scope::csv);
-                    save::save_text("motionbench-scope.csv", "text/csv", &csv);
+                    // What the browser refuses, it says itself.
+                    let _ = files::save("motionbench-scope.csv", "text/csv", &csv);
                 }>"Numbers, CSV"</button>
                 <button type="button" class="item" on:click=move |_| export::picture(store, sheets)>
                     "Picture, PNG"

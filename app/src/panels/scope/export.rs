@@ -5,8 +5,8 @@ use leptos::wasm_bindgen::prelude::*;
 use web_sys::{Blob, CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::Sheets;
-use crate::panels::save;
 use crate::state::{Store, words};
+use crate::storage::files;
 
 /// Room for names and units on the left, and between the strips, CSS pixels.
 const LABELS: f64 = 120.0;
@@ -20,7 +20,8 @@ pub(super) fn picture(store: Store, sheets: Sheets) {
     if let Some(sheet) = compose(store, sheets) {
         let taken = Closure::once_into_js(|contents: Option<Blob>| {
             if let Some(contents) = contents {
-                save::save("motionbench-scope.png", &contents);
+                // What the browser refuses, it says itself.
+                let _ = files::save_blob("motionbench-scope.png", &contents);
             }
         });
         // A canvas of a size that the browser cannot give is none.
