@@ -21,6 +21,13 @@ pub const MOST_UNTAKEN: u64 = 2;
 pub enum ToWorker {
     /// These characters go to the console, at line speed.
     Send(String),
+    /// These characters go to the console at a pace, behind those that wait.
+    SendPaced {
+        /// The characters.
+        text: String,
+        /// Their pace.
+        pace: Pace,
+    },
     /// The byte that stops a program goes to the console at once; what was still to be sent is forgotten.
     Stop,
     /// The start command is typed on the console, after [`ToWorker::Stop`] if the console is not at its prompt.
@@ -67,6 +74,17 @@ pub enum ToWorker {
     Speed(Speed),
     /// Frames up to this number have been taken.
     Taken(u64),
+}
+
+/// How the text of a file is sent, in simulated time, to a device that cannot take it as fast as the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Pace {
+    /// The pause behind each character.
+    pub character: Nanos,
+    /// The pause behind each line, besides.
+    pub line: Nanos,
+    /// Each line waits for the prompt behind the one before.
+    pub prompt: bool,
 }
 
 /// How fast simulated time passes.

@@ -53,12 +53,12 @@ pub(super) fn Frame(store: Store) -> impl IntoView {
     view! {
         <main class="workshop" node_ref=main data-shown=move || store.layout.with(Layout::shown).name()
             style:--program=move || before(Divider::Program) style:--bench=move || behind(Divider::Program)
-            style:--dock=move || before(Divider::Dock) style:--scope=move || behind(Divider::Dock)>
+            style:--terminal=move || before(Divider::Terminal) style:--scope=move || behind(Divider::Terminal)>
             <Cell store panel=Panel::Program><editor::Editor store /></Cell>
             <DividerView store divider=Divider::Program main />
             <div class="bench">
                 <Cell store panel=Panel::Terminal><terminal::Terminal store /></Cell>
-                <DividerView store divider=Divider::Dock main />
+                <DividerView store divider=Divider::Terminal main />
                 <Cell store panel=Panel::Scope><scope::Scope store /></Cell>
             </div>
         </main>
@@ -84,7 +84,8 @@ fn Cell(store: Store, panel: Panel, children: Children) -> impl IntoView {
         <div class=format!("cell {}-cell", panel.name()) class:folded=folded>
             <div class="content">{children()}</div>
             <button type="button" class="fold" aria-expanded=move || (!folded.get()).to_string()
-                title=move || format!("{} {title}", verb()) on:click=fold>
+                aria-label=move || format!("{} {title}", verb()) title=move || format!("{} {title}", verb())
+                on:click=fold>
                 <span class="chevron" aria-hidden="true"></span>
                 <span class="fold-title">{title}</span>
             </button>
@@ -98,7 +99,7 @@ fn DividerView(store: Store, divider: Divider, main: NodeRef<html::Main>) -> imp
     let upright = divider == Divider::Program;
     let (label, orientation, panel) = match divider {
         Divider::Program => ("Width of the program", "vertical", Panel::Program),
-        Divider::Dock => ("Height of the terminal", "horizontal", Panel::Terminal),
+        Divider::Terminal => ("Height of the terminal", "horizontal", Panel::Terminal),
     };
     let share = Memo::new(move |_| store.layout.with(|layout| layout.share(divider)));
     let put = move |share| {
@@ -163,15 +164,11 @@ pub(super) fn Tabs(store: Store) -> impl IntoView {
         let current = move || (shown.get() == panel).then_some("true");
         let show = move |_| store.layout.update(|layout| layout.show(panel));
         view! {
-            <button type="button" class="tab" aria-current=current aria-label=panel.title() on:click=show>
-                {panel.short_title()}
+            <button type="button" class="tab" aria-current=current
+                on:click=show>
+                {panel.title()}
             </button>
         }
     };
-    view! { <nav class="tabs" aria-label="Panels">{panels().map(tab).collect_view()}</nav> }
-}
-
-/// The panels that the page has.
-fn panels() -> impl Iterator<Item = Panel> {
-    Panel::ALL.into_iter().filter(|panel| *panel != Panel::Io)
+    view! { <nav class="tabs" aria-label="Panels">{Panel::ALL.map(tab).collect_view()}</nav> }
 }

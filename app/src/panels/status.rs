@@ -7,9 +7,6 @@ use crate::state::device::{Activity, line_words};
 use crate::state::{Device, Store, words};
 use crate::storage::Keeper;
 
-/// More than this many characters on their way to the controller are worth a word.
-const WORTH_TELLING: usize = 80;
-
 /// The status line.
 #[component]
 pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl IntoView {
@@ -27,12 +24,14 @@ pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl
     let error = memo(|device| device.error().unwrap_or_default().to_owned());
     let time = memo(|device| words::time(device.now.seconds()));
     let settings = memo(|device| device.line.as_ref().map_or_else(String::new, line_words));
-    let pending = memo(|device| match device.pending {
-        0..=WORTH_TELLING => String::new(),
-        many => format!(
-            "sending {} characters, Ctrl-C cancels",
-            words::number(many as f64, 0)
-        ),
+    let why = memo(|device| device.why().to_owned());
+    let sending = Memo::new(move |_| {
+        store.console.sending.with(|progress| {
+            progress.as_ref().map_or_else(String::new, |progress| {
+                let percent = 100 * progress.sent / progress.total.max(1);
+                format!("sending, {percent} %")
+            })
+        })
     });
     let keyboard = move || {
         if store.typing.get() {
@@ -46,15 +45,17 @@ pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl
     view! {
         <footer class="status" aria-label="Status">
             <span class="activity" class:running=move || activity.get().is_running()
+                class:held=move || activity.get() == Activity::Paused
                 class:failed=move || activity.get() == Activity::Failed>
                 {move || activity.get().words()}
             </span>
             <span class="figures line">{line}</span>
+            <span class="why">{why}</span>
             <span class="moving">{moving}</span>
             <span class="error">{error}</span>
             <span class="figures time">"t = "{time}</span>
             <span class="figures settings">{settings}</span>
-            <span class="figures pending">{pending}</span>
+            <span class="figures sending">{sending}</span>
             <span class="figures saved">{move || keeper.state.get().words()}</span>
             <span class="offline">{move || updates.state.get().words()}</span>
             <span class="keyboard">{keyboard}</span>

@@ -1,5 +1,9 @@
 //! The terminal on the console's line.
 
+mod file;
+mod line;
+mod tools;
+
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -50,8 +54,9 @@ pub(super) fn Terminal(store: Store) -> impl IntoView {
             on:focusout=move |_| store.typing.set(false)>
             <header class="panel-head">
                 <h2 id="terminal-title">"Terminal"</h2>
-                <span class="muted">"Ctrl-C stops a program"</span>
+                <tools::Tools store />
             </header>
+            <tools::Notices store />
             <div class="screen" node_ref=screen tabindex="-1" on:keydown=keydown on:mouseup=mouseup>
                 <Screen store screen />
                 <KeyCatcher store keys />
@@ -249,7 +254,7 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
         line.set(String::new());
     };
     view! {
-        <form class="compose" on:submit=submit>
+        <form class="compose" aria-label="Line for the controller" on:submit=submit>
             <input class="field" type="text" autocomplete="off" autocapitalize="characters"
                 spellcheck="false" enterkeyhint="send" aria-label="A line for the controller"
                 placeholder="10 MDRVEN()"

@@ -146,7 +146,7 @@ fn SpeedChoice(store: Store) -> impl IntoView {
         <div class="speed">
             <select class="select" aria-label="Simulation speed" title="Simulated seconds in a second"
                 on:change=choose>{options}</select>
-            <span class="muted reached">"reached "<span class="figures">{reached}</span></span>
+            <span class="muted reached"><span class="word">"reached "</span><span class="figures">{reached}</span></span>
         </div>
     }
 }

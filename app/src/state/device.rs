@@ -14,8 +14,10 @@ use crate::protocol::Speed;
 pub struct Device {
     /// Its name; empty until it is known.
     pub name: String,
-    /// How its console is set.
+    /// How the terminal's end of its console's line is set; as the console, until the user sets it.
     pub line: Option<LineSettings>,
+    /// How its console is set.
+    pub console: Option<LineSettings>,
     /// What it does; `None` until it is known.
     pub status: Option<Status>,
     /// Simulated time.
@@ -52,6 +54,7 @@ impl Default for Device {
         Device {
             name: String::new(),
             line: None,
+            console: None,
             status: None,
             now: Nanos::ZERO,
             speed: Speed::Times(1.0),
@@ -69,6 +72,7 @@ impl Device {
         match news {
             News::Ready(ready) => {
                 self.name.clone_from(&ready.controller);
+                self.console = Some(ready.line);
                 // A worker that replaces another is set as the user had set it.
                 self.line.get_or_insert(ready.line);
             }
@@ -121,6 +125,18 @@ impl Device {
             | Activity::WaitingForOutput
             | Activity::Paused => self.status.as_ref()?.line,
             _ => None,
+        }
+    }
+
+    /// Why nothing goes on, where that is so; otherwise empty.
+    pub fn why(&self) -> &'static str {
+        let held = self.status.as_ref().map(|status| status.run) == Some(RunState::Paused);
+        match self.activity() {
+            Activity::Paused if held => "held before its next statement",
+            _ if self.frozen => "simulated time stands still",
+            Activity::WaitingForInput => "answer in the terminal",
+            Activity::WaitingForOutput => "printed faster than the line carries",
+            _ => "",
         }
     }
 
@@ -221,6 +237,21 @@ mod tests {
         assert_eq!(heard(RunState::Running, true).running_line(), Some(20));
         assert_eq!(heard(RunState::Idle, true).running_line(), None);
         assert_eq!(heard(RunState::Running, false).activity(), Activity::Off);
+    }
+
+    #[test]
+    fn what_stands_still_says_why() {
+        assert_eq!(heard(RunState::Running, true).why(), "");
+        let mut device = heard(RunState::Running, true);
+        device.frozen = true;
+        assert_eq!(device.activity(), Activity::Paused);
+        assert_eq!(device.why(), "simulated time stands still");
+        assert!(device.can_step());
+        let mut held = heard(RunState::Paused, true);
+        held.frozen = true;
+        assert_eq!(held.why(), "held before its next statement");
+        let waits = heard(RunState::Waiting(Wait::Input), true);
+        assert_eq!(waits.why(), "answer in the terminal");
     }
 
     #[test]

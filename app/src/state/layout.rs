@@ -1,7 +1,7 @@
 //! How the page is laid out: which panels there are, which of them are folded away, and how they share the room.
 //!
-//! The program stands on the left; on the right the dock, where the terminal and the inputs and outputs take turns,
-//! stands above the scope. Where there is room for one panel alone, it is the one that is `shown`.
+//! The program stands on the left; on the right the terminal stands above the scope, which has the inputs and outputs.
+//! Where there is room for one panel alone, it is the one that is `shown`.
 
 pub use super::project::Layout;
 
@@ -11,7 +11,6 @@ pub use super::project::Layout;
 pub enum Panel {
     Program,
     Terminal,
-    Io,
     Scope,
 }
 
@@ -20,8 +19,8 @@ pub enum Panel {
 pub enum Divider {
     /// Between the program and what is right of it.
     Program,
-    /// Between the dock and the scope.
-    Dock,
+    /// Between the terminal and the scope.
+    Terminal,
 }
 
 /// What a panel has of the room at least, in thousandths.
@@ -33,16 +32,13 @@ pub const STEP: u16 = 25;
 
 impl Panel {
     /// All there are, in the order of the page.
-    pub const ALL: [Panel; 4] = [Panel::Program, Panel::Terminal, Panel::Io, Panel::Scope];
-    /// Those that take turns in the dock.
-    pub const DOCK: [Panel; 2] = [Panel::Terminal, Panel::Io];
+    pub const ALL: [Panel; 3] = [Panel::Program, Panel::Terminal, Panel::Scope];
 
     /// In a layout.
     pub fn name(self) -> &'static str {
         match self {
             Panel::Program => "program",
             Panel::Terminal => "terminal",
-            Panel::Io => "io",
             Panel::Scope => "scope",
         }
     }
@@ -52,24 +48,7 @@ impl Panel {
         match self {
             Panel::Program => "Program",
             Panel::Terminal => "Terminal",
-            Panel::Io => "Inputs and outputs",
             Panel::Scope => "Scope",
-        }
-    }
-
-    /// For people with little room.
-    pub fn short_title(self) -> &'static str {
-        match self {
-            Panel::Io => "I/O",
-            panel => panel.title(),
-        }
-    }
-
-    /// What is folded away when it is: the panels of the dock are folded together.
-    fn place(self) -> &'static str {
-        match self {
-            Panel::Terminal | Panel::Io => "dock",
-            panel => panel.name(),
         }
     }
 }
@@ -79,7 +58,7 @@ impl Divider {
     fn name(self) -> &'static str {
         match self {
             Divider::Program => "program",
-            Divider::Dock => "dock",
+            Divider::Terminal => "terminal",
         }
     }
 
@@ -87,7 +66,7 @@ impl Divider {
     pub fn usual(self) -> u16 {
         match self {
             Divider::Program => 450,
-            Divider::Dock => 380,
+            Divider::Terminal => 360,
         }
     }
 }
@@ -107,19 +86,19 @@ impl Layout {
 
     /// Whether a panel is folded away.
     pub fn is_folded(&self, panel: Panel) -> bool {
-        self.folded.contains(panel.place())
+        self.folded.contains(panel.name())
     }
 
-    /// Folds a panel away, or opens it. Dock and scope are not both folded: one has the room of the other.
+    /// Folds a panel away, or opens it. Terminal and scope are not both folded: one has the room of the other.
     pub fn fold(&mut self, panel: Panel, folded: bool) {
         if !folded {
-            self.folded.remove(panel.place());
+            self.folded.remove(panel.name());
             return;
         }
-        self.folded.insert(panel.place().to_owned());
+        self.folded.insert(panel.name().to_owned());
         match panel {
             Panel::Program => {}
-            Panel::Terminal | Panel::Io => self.fold(Panel::Scope, false),
+            Panel::Terminal => self.fold(Panel::Scope, false),
             Panel::Scope => self.fold(Panel::Terminal, false),
         }
     }
@@ -131,14 +110,6 @@ impl Layout {
             .into_iter()
             .find(|panel| shown == Some(panel.name()));
         named.unwrap_or(Panel::Terminal)
-    }
-
-    /// The panel that the dock shows.
-    pub fn docked(&self) -> Panel {
-        match self.shown() {
-            Panel::Io => Panel::Io,
-            _ => Panel::Terminal,
-        }
     }
 
     /// Brings a panel into sight.
@@ -158,14 +129,17 @@ mod tests {
         assert_eq!(layout.share(Divider::Program), 450);
         layout.move_divider(Divider::Program, 600);
         assert_eq!(
-            (layout.share(Divider::Program), layout.share(Divider::Dock)),
-            (600, 380)
+            (
+                layout.share(Divider::Program),
+                layout.share(Divider::Terminal)
+            ),
+            (600, 360)
         );
-        layout.move_divider(Divider::Dock, 990);
-        assert_eq!(layout.share(Divider::Dock), MOST);
+        layout.move_divider(Divider::Terminal, 990);
+        assert_eq!(layout.share(Divider::Terminal), MOST);
         // From a file that someone has changed.
-        layout.shares.insert("dock".to_owned(), 3);
-        assert_eq!(layout.share(Divider::Dock), LEAST);
+        layout.shares.insert("terminal".to_owned(), 3);
+        assert_eq!(layout.share(Divider::Terminal), LEAST);
     }
 
     #[test]
@@ -173,7 +147,7 @@ mod tests {
         let mut layout = Layout::default();
         layout.fold(Panel::Scope, true);
         layout.fold(Panel::Terminal, true);
-        assert!(layout.is_folded(Panel::Io) && !layout.is_folded(Panel::Scope));
+        assert!(layout.is_folded(Panel::Terminal) && !layout.is_folded(Panel::Scope));
         layout.fold(Panel::Scope, true);
         assert!(layout.is_folded(Panel::Scope) && !layout.is_folded(Panel::Terminal));
         layout.fold(Panel::Program, true);
@@ -181,18 +155,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_is_open_and_in_the_dock_if_it_belongs_there() {
+    fn what_is_shown_is_open() {
         let mut layout = Layout::default();
-        assert_eq!(
-            (layout.shown(), layout.docked()),
-            (Panel::Terminal, Panel::Terminal)
-        );
-        layout.fold(Panel::Terminal, true);
-        layout.show(Panel::Io);
-        assert_eq!((layout.shown(), layout.docked()), (Panel::Io, Panel::Io));
-        assert!(!layout.is_folded(Panel::Io));
-        layout.show(Panel::Scope);
-        assert_eq!(layout.docked(), Panel::Terminal);
+        assert_eq!(layout.shown(), Panel::Terminal);
+        layout.fold(Panel::Program, true);
+        layout.show(Panel::Program);
+        assert_eq!(layout.shown(), Panel::Program);
+        assert!(!layout.is_folded(Panel::Program));
         layout.shown = Some("of another version".to_owned());
         assert_eq!(layout.shown(), Panel::Terminal);
     }

@@ -1,6 +1,7 @@
 //! What the page knows, and how that changes: plain data and pure functions. `store` puts it into the page.
 
 pub mod axis;
+mod console;
 pub mod device;
 pub mod editor;
 mod keeping;
@@ -16,6 +17,7 @@ pub mod versions;
 pub mod wiring;
 pub mod words;
 
+pub use console::Console;
 pub use device::Device;
 pub use store::Store;
 

@@ -14,7 +14,7 @@ use super::revive::Health;
 use super::scope::Scope;
 use super::terminal::Terminal;
 use super::wiring::Wiring;
-use super::{Device, Fault, News};
+use super::{Console, Device, Fault, News};
 use crate::client::Client;
 use crate::protocol::{ToWorker, Unloadable};
 
@@ -25,6 +25,8 @@ pub struct Store {
     pub device: RwSignal<Device>,
     /// How the page is laid out.
     pub layout: RwSignal<Layout>,
+    /// What goes to the console and comes from it.
+    pub console: Console,
     /// The terminal has the keyboard.
     pub typing: RwSignal<bool>,
     /// The editor has the keyboard.
@@ -61,6 +63,7 @@ impl Store {
         let store = Store {
             device: RwSignal::default(),
             layout: RwSignal::default(),
+            console: Console::default(),
             typing: RwSignal::new(false),
             editing: RwSignal::new(false),
             printed: RwSignal::new(0),
@@ -86,6 +89,7 @@ impl Store {
 
     /// Sends the worker what the user wants.
     pub fn send(&self, message: ToWorker) {
+        self.before_sending(&message);
         if let ToWorker::Speed(speed) = message {
             self.device.update(|device| device.speed = speed);
         }
@@ -99,16 +103,15 @@ impl Store {
         });
     }
 
-    /// Sends characters to the console.
-    pub fn type_text(&self, text: String) {
-        if !text.is_empty() {
-            self.send(ToWorker::Send(text));
-        }
-    }
-
     /// Reads the terminal, which makes what it shows when it is asked.
     pub fn with_terminal<T>(&self, read: impl FnOnce(&mut Terminal) -> T) -> Option<T> {
         self.terminal.try_update_value(read)
+    }
+
+    /// Forgets what the terminal shows.
+    pub fn clear_terminal(&self) {
+        self.terminal.update_value(Terminal::clear);
+        self.printed.update(|count| *count += 1);
     }
 
     /// Fits the terminal into so much room.
@@ -163,6 +166,7 @@ impl Store {
                     self.recorded.update(|count| *count += 1);
                 }
                 self.hear_of_program(frame);
+                self.hear_console(frame);
             }
             News::Answer(answer) => self.hear_answer(answer),
             News::Fault(Fault::Died) => return self.revive(),

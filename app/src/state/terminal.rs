@@ -1,5 +1,8 @@
 //! The screen of the terminal on the console's line.
 
+pub mod capture;
+pub mod outbox;
+
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -78,8 +81,7 @@ impl Observer for &mut Evicted {
 
 impl Default for Terminal {
     fn default() -> Terminal {
-        let emulator = avt::Terminal::with_scrollback(COLUMNS, ROWS, Some(SCROLLBACK))
-            .expect("neither columns nor rows are zero");
+        let emulator = emulator(COLUMNS, ROWS);
         Terminal {
             kind: emulator.active_screen_kind(),
             total: ROWS,
@@ -93,6 +95,12 @@ impl Default for Terminal {
             asked: false,
         }
     }
+}
+
+/// Of a size that is not zero.
+fn emulator(columns: usize, rows: usize) -> avt::Terminal {
+    avt::Terminal::with_scrollback(columns, rows, Some(SCROLLBACK))
+        .expect("neither columns nor rows are zero")
 }
 
 impl Terminal {
@@ -146,6 +154,35 @@ impl Terminal {
         (above..self.total)
             .map(|index| Arc::new(row(index)))
             .collect()
+    }
+
+    /// Forgets all rows but the one that the cursor is in.
+    pub fn clear(&mut self) {
+        let (columns, rows) = self.emulator.size();
+        let cursor = self.emulator.cursor().position();
+        let cursor = cursor.and_then(|(column, row)| {
+            let line = self.emulator.screen().all_lines().nth(self.above() + row)?;
+            Some(line.chars().take(column).collect::<String>())
+        });
+        self.first = self.ever();
+        self.emulator = emulator(columns, rows);
+        (self.total, self.evicted, self.settled) = (rows, 0, 0);
+        self.rows.clear();
+        self.emulator.feed(cursor.unwrap_or_default().as_str());
+    }
+
+    /// What all rows say; a line that was too long for a row is one line.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for line in self.emulator.screen().all_lines() {
+            text.push_str(line.text().trim_end());
+            if !line.is_wrapped() {
+                text.push('\n');
+            }
+        }
+        text.truncate(text.trim_end().len());
+        text.push('\n');
+        text
     }
 
     /// How many rows are above the screen.
@@ -399,6 +436,28 @@ mod tests {
         assert_eq!(text(&mut terminal).len(), 2);
         terminal.resize(400, 20);
         assert_eq!(text(&mut terminal), [format!("{line} ")]);
+    }
+
+    #[test]
+    fn clearing_leaves_the_line_that_is_being_typed() {
+        let mut terminal = Terminal::default();
+        terminal.print(&"10 END\r\n".repeat(100));
+        terminal.print(">LI");
+        let last = terminal.rows().last().unwrap().key.0;
+        terminal.clear();
+        assert_eq!(text(&mut terminal), [">LI "]);
+        assert!(terminal.rows()[0].key.0 > last, "new rows have new names");
+        terminal.print("ST\r\n");
+        assert_eq!(text(&mut terminal), [">LIST"]);
+    }
+
+    #[test]
+    fn the_text_of_all_rows_has_the_lines_as_they_were_printed() {
+        let mut terminal = Terminal::default();
+        terminal.resize(20, 5);
+        let long = "A".repeat(50);
+        terminal.print(&format!("{long}\r\n\r\n>"));
+        assert_eq!(terminal.text(), format!("{long}\n\n>\n"));
     }
 
     #[test]

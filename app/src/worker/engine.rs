@@ -9,6 +9,7 @@ use motionbench_core::language::latin1;
 use motionbench_core::probe::Probe;
 use motionbench_core::time::Nanos;
 
+use super::sender::{Line, Sender};
 use crate::protocol::{self, BUILD, FromWorker, Ready, ToWorker, Unloadable};
 
 /// Rows and console bytes that wait for the page; when there are more, simulation waits too. So much in a frame is
@@ -24,6 +25,7 @@ pub struct Engine {
     info: ControllerInfo,
     station: usize,
     line: usize,
+    sender: Sender,
     /// Simulated time stands still.
     frozen: bool,
     /// The program may come to be held: by a breakpoint, or behind a step.
@@ -70,6 +72,7 @@ impl Engine {
             info,
             station,
             line,
+            sender: Sender::default(),
             frozen: false,
             may_be_held: false,
             kept: Memory::default(),
@@ -95,11 +98,16 @@ impl Engine {
     /// alone.
     pub fn act(&mut self, message: &ToWorker) -> Option<FromWorker> {
         match message {
-            ToWorker::Send(text) => {
+            ToWorker::Send(text) if self.sender.is_empty() => {
                 self.bench.send(self.line, &latin1::bytes(text));
+            }
+            ToWorker::Send(text) => self.sender.queue(&latin1::bytes(text), None),
+            ToWorker::SendPaced { text, pace } => {
+                self.sender.queue(&latin1::bytes(text), Some(*pace));
             }
             ToWorker::Stop => {
                 self.frozen = false;
+                self.sender.clear();
                 self.bench.send_urgent(self.line, self.info.attention);
             }
             ToWorker::Run => self.start(),
@@ -135,9 +143,7 @@ impl Engine {
             }),
             ToWorker::Line(settings) => self.bench.set_line(self.line, *settings),
             ToWorker::Break => self.bench.send_break(self.line),
-            ToWorker::Cancel => {
-                self.bench.cancel(self.line);
-            }
+            ToWorker::Cancel => self.cancel(),
             ToWorker::Keep => {
                 let station = self.bench.station(self.station)?;
                 let memory = station.memory(Survives::Reload);
@@ -152,7 +158,7 @@ impl Engine {
             }
             ToWorker::Power(on) => {
                 self.frozen = false;
-                self.bench.cancel(self.line);
+                self.cancel();
                 self.bench.power(self.station, *on);
             }
             ToWorker::Speed(_) | ToWorker::Taken(_) => {}
@@ -160,9 +166,16 @@ impl Engine {
         None
     }
 
+    /// Forgets what has not been sent.
+    fn cancel(&mut self) {
+        self.sender.clear();
+        self.bench.cancel(self.line);
+    }
+
     /// Types the start command, at the prompt.
     fn start(&mut self) {
         self.frozen = false;
+        self.cancel();
         if !self.status().at_prompt {
             self.bench.send_urgent(self.line, self.info.attention);
         }
@@ -203,6 +216,31 @@ impl Engine {
 
     /// Advances simulated time to `until`, or to where the program comes to be held; then everything stands still.
     pub fn advance(&mut self, until: Nanos) {
+        while !self.sender.is_empty() && !self.frozen && self.now() < until {
+            self.send_next();
+            let next = self.sender.due(self.now());
+            self.run_until(next.min(until));
+        }
+        self.run_until(until);
+    }
+
+    /// Sends the next character of a text that is sent at a pace, if it is time for it.
+    fn send_next(&mut self) {
+        let status = self.status();
+        let settings = self.bench.line_settings(self.line);
+        let is_free = self.bench.host_pending(self.line) == 0;
+        let line = Line {
+            now: self.now(),
+            character: settings.map_or(Nanos::ZERO, |settings| settings.character()),
+            is_free,
+            at_prompt: is_free && status.at_prompt && status.unread == 0 && status.unsent == 0,
+        };
+        if let Some(byte) = self.sender.take(line) {
+            self.bench.send(self.line, &[byte]);
+        }
+    }
+
+    fn run_until(&mut self, until: Nanos) {
         if !self.may_be_held {
             self.bench.run_until(until, &mut self.probe);
             return;
@@ -246,7 +284,7 @@ impl Engine {
             now: self.now(),
             status: self.status(),
             console: latin1::text(&console),
-            pending: self.bench.host_pending(self.line),
+            pending: self.bench.host_pending(self.line) + self.sender.len(),
             samples,
             frozen: self.frozen,
         }
@@ -262,219 +300,4 @@ impl Engine {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::protocol::ToWorker::{Power, Run, Send, Stop};
-
-    /// Acts, lets simulated time pass, and returns what the console printed and the samples.
-    fn after(engine: &mut Engine, messages: &[ToWorker], millis: u64) -> Report {
-        for message in messages {
-            engine.act(message);
-        }
-        engine.advance(engine.now() + Nanos::from_millis(millis));
-        engine.report()
-    }
-
-    fn text(text: &str) -> ToWorker {
-        Send(text.to_owned())
-    }
-
-    fn bench() -> Engine {
-        let mut engine = Engine::new().unwrap();
-        let printed = after(&mut engine, &[], 500).console;
-        assert!(printed.ends_with('>'), "{printed:?}");
-        engine
-    }
-
-    #[test]
-    fn a_typed_program_moves_the_axis_and_answers() {
-        let mut engine = bench();
-        let program = text("10 MDRVEN()\r20 MMOVE(40960)\rRUN\r");
-        let report = after(&mut engine, &[program], 3000);
-        assert!(report.console.ends_with("RUN\r\n>"), "{:?}", report.console);
-        let rows = report.samples.len() / (engine.info.signals.len() + 1);
-        assert_eq!(rows, 1500);
-        let command = engine
-            .info
-            .signals
-            .iter()
-            .position(|signal| signal.name == "x.command");
-        let newest = report.samples[(command.unwrap() + 2) * rows - 1];
-        assert_eq!(newest, 40_960.0);
-        assert!(
-            after(&mut engine, &[], 0).samples.is_empty(),
-            "reported once"
-        );
-    }
-
-    #[test]
-    fn characters_travel_at_line_speed() {
-        let mut engine = bench();
-        // 100 characters of 10 bits at 9600 baud take 104 ms.
-        let report = after(&mut engine, &[text(&"A".repeat(100))], 50);
-        assert!(
-            (40..=48).contains(&report.console.len()),
-            "{}",
-            report.console.len()
-        );
-        assert!((50..=54).contains(&report.pending), "{}", report.pending);
-    }
-
-    #[test]
-    fn stop_acts_under_a_busy_program_and_a_paste() {
-        let mut engine = bench();
-        after(
-            &mut engine,
-            &[text("10 GOTO 10\rRUN\r"), text(&"X".repeat(100_000))],
-            200,
-        );
-        let report = after(&mut engine, &[Stop], 100);
-        assert!(
-            report.console.ends_with("BREAK IN 10\r\n>"),
-            "{:?}",
-            report.console
-        );
-        assert_eq!((report.status.run, report.pending), (RunState::Idle, 0));
-    }
-
-    #[test]
-    fn run_starts_the_program_whatever_the_console_is_at() {
-        let mut engine = bench();
-        after(&mut engine, &[text("10 PRINT \"HELLO\"\r")], 200);
-        assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
-        after(&mut engine, &[text("20 HALF A LI")], 200);
-        assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
-        after(&mut engine, &[text("30 GOTO 30\rRUN\r")], 200);
-        assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
-    }
-
-    const LOOP: &str = "10 A=A+1\n20 B=A*2\n30 GOTO 10";
-
-    fn load(text: &str) -> ToWorker {
-        ToWorker::Load {
-            text: text.to_owned(),
-            start: true,
-        }
-    }
-
-    #[test]
-    fn a_program_of_the_page_is_loaded_and_visibly_started() {
-        let mut engine = bench();
-        let Some(FromWorker::Loaded(Ok(revision))) = engine.act(&load("10 ?\"HI\"\n\n20 END"))
-        else {
-            panic!("not loaded");
-        };
-        assert_eq!(revision.lines, [Some(10), None, Some(20)]);
-        let report = after(&mut engine, &[], 200);
-        assert_eq!(report.console, "RUN\r\nHI\r\n>");
-        assert_eq!(report.status.revision, revision.number);
-        let refused = engine.act(&load("10 END\nEND"));
-        let Some(FromWorker::Loaded(Err(refused))) = refused else {
-            panic!("loaded");
-        };
-        assert_eq!(refused.line, 1);
-        let listing = FromWorker::Listing {
-            text: "10 ?\"HI\"\r\n20 END\r\n".to_owned(),
-            revision: revision.number,
-        };
-        assert_eq!(engine.act(&ToWorker::Take), Some(listing));
-    }
-
-    #[test]
-    fn a_breakpoint_holds_program_and_time_and_a_step_runs_one_statement() {
-        let mut engine = bench();
-        after(
-            &mut engine,
-            &[ToWorker::Breakpoints(vec![20]), load(LOOP)],
-            1000,
-        );
-        let held = engine.report();
-        assert!(held.frozen);
-        assert_eq!(
-            (held.status.run, held.status.line),
-            (RunState::Paused, Some(20))
-        );
-        let stepped = after(&mut engine, &[ToWorker::Step], 1000);
-        assert_eq!(stepped.status.line, Some(30));
-        assert!(stepped.frozen && stepped.now.since(held.now) < Nanos::from_millis(10));
-        let again = after(&mut engine, &[ToWorker::Freeze(false)], 1000);
-        assert_eq!((again.status.line, again.frozen), (Some(20), true));
-        let free = [ToWorker::Breakpoints(Vec::new()), ToWorker::Freeze(false)];
-        let free = after(&mut engine, &free, 1000);
-        assert_eq!((free.status.run, free.frozen), (RunState::Running, false));
-        let stopped = after(&mut engine, &[ToWorker::Freeze(true), Stop], 100);
-        assert!(stopped.console.ends_with("\r\n>"), "{:?}", stopped.console);
-    }
-
-    #[test]
-    fn what_is_kept_comes_back_into_another_bench() {
-        let mut engine = bench();
-        after(&mut engine, &[load("10 END")], 200);
-        after(&mut engine, &[text("SAVE \"B:ONE\"\rSAVE \"TWO\"\r")], 300);
-        let Some(FromWorker::Kept(memory)) = engine.act(&ToWorker::Keep) else {
-            panic!("nothing kept");
-        };
-        assert_eq!(engine.act(&ToWorker::Keep), None, "nothing has changed");
-        let mut other = bench();
-        let answer = after(
-            &mut other,
-            &[ToWorker::Restore(memory), text("LIST\rFILES\r")],
-            300,
-        );
-        assert!(
-            answer.console.contains("10 END\r\n"),
-            "{:?}",
-            answer.console
-        );
-        assert!(answer.console.contains("TWO.BAS"), "{:?}", answer.console);
-        let off_and_on = after(
-            &mut other,
-            &[Power(false), Power(true), text("LOAD \"B:ONE\"\rLIST\r")],
-            500,
-        );
-        assert!(
-            off_and_on.console.ends_with("10 END\r\n>"),
-            "{:?}",
-            off_and_on.console
-        );
-    }
-
-    #[test]
-    fn the_emergency_stop_acts_under_any_program() {
-        let mut engine = bench();
-        let spin = "10 MDRVEN()\n20 MSPEED(34952)\n30 GOTO 30";
-        assert!(after(&mut engine, &[load(spin)], 2000).status.moving);
-        let stopped = after(&mut engine, &[ToWorker::EmergencyStop(true)], 1000).status;
-        assert!(!stopped.moving && !stopped.enabled, "{stopped:?}");
-        assert_eq!(stopped.run, RunState::Running);
-    }
-
-    #[test]
-    fn the_mains_switch_forgets_the_program_and_what_was_being_sent() {
-        let mut engine = bench();
-        after(
-            &mut engine,
-            &[text("10 GOTO 10\rRUN\r"), text(&"X".repeat(1000))],
-            100,
-        );
-        let report = after(&mut engine, &[Power(false)], 100);
-        assert_eq!((report.status.power, report.pending), (false, 0));
-        let report = after(&mut engine, &[Power(true)], 500);
-        assert!(report.console.ends_with('>'), "{:?}", report.console);
-        assert_eq!(
-            after(&mut engine, &[text("LIST\r")], 200).console,
-            "LIST\r\n>"
-        );
-    }
-
-    #[test]
-    fn a_page_that_does_not_listen_stops_the_simulation() {
-        let mut engine = bench();
-        while !engine.is_full() {
-            engine.advance(engine.now() + Nanos::from_millis(1000));
-            assert!(engine.now() < Nanos::from_millis(1_000_000));
-        }
-        engine.report();
-        assert!(!engine.is_full());
-    }
-}
+mod tests;

@@ -2,6 +2,7 @@
 
 pub mod engine;
 pub mod pacing;
+pub mod sender;
 
 use std::cell::RefCell;
 use std::rc::Rc;

@@ -1,0 +1,251 @@
+use super::*;
+use crate::protocol::Pace;
+use crate::protocol::ToWorker::{Power, Run, Send, Stop};
+
+/// Acts, lets simulated time pass, and returns what the console printed and the samples.
+fn after(engine: &mut Engine, messages: &[ToWorker], millis: u64) -> Report {
+    for message in messages {
+        engine.act(message);
+    }
+    engine.advance(engine.now() + Nanos::from_millis(millis));
+    engine.report()
+}
+
+fn text(text: &str) -> ToWorker {
+    Send(text.to_owned())
+}
+
+fn bench() -> Engine {
+    let mut engine = Engine::new().unwrap();
+    let printed = after(&mut engine, &[], 500).console;
+    assert!(printed.ends_with('>'), "{printed:?}");
+    engine
+}
+
+#[test]
+fn a_typed_program_moves_the_axis_and_answers() {
+    let mut engine = bench();
+    let program = text("10 MDRVEN()\r20 MMOVE(40960)\rRUN\r");
+    let report = after(&mut engine, &[program], 3000);
+    assert!(report.console.ends_with("RUN\r\n>"), "{:?}", report.console);
+    let rows = report.samples.len() / (engine.info.signals.len() + 1);
+    assert_eq!(rows, 1500);
+    let command = engine
+        .info
+        .signals
+        .iter()
+        .position(|signal| signal.name == "x.command");
+    let newest = report.samples[(command.unwrap() + 2) * rows - 1];
+    assert_eq!(newest, 40_960.0);
+    assert!(
+        after(&mut engine, &[], 0).samples.is_empty(),
+        "reported once"
+    );
+}
+
+#[test]
+fn characters_travel_at_line_speed() {
+    let mut engine = bench();
+    // 100 characters of 10 bits at 9600 baud take 104 ms.
+    let report = after(&mut engine, &[text(&"A".repeat(100))], 50);
+    assert!(
+        (40..=48).contains(&report.console.len()),
+        "{}",
+        report.console.len()
+    );
+    assert!((50..=54).contains(&report.pending), "{}", report.pending);
+}
+
+#[test]
+fn stop_acts_under_a_busy_program_and_a_paste() {
+    let mut engine = bench();
+    after(
+        &mut engine,
+        &[text("10 GOTO 10\rRUN\r"), text(&"X".repeat(100_000))],
+        200,
+    );
+    let report = after(&mut engine, &[Stop], 100);
+    assert!(
+        report.console.ends_with("BREAK IN 10\r\n>"),
+        "{:?}",
+        report.console
+    );
+    assert_eq!((report.status.run, report.pending), (RunState::Idle, 0));
+}
+
+#[test]
+fn run_starts_the_program_whatever_the_console_is_at() {
+    let mut engine = bench();
+    after(&mut engine, &[text("10 PRINT \"HELLO\"\r")], 200);
+    assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
+    after(&mut engine, &[text("20 HALF A LI")], 200);
+    assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
+    after(&mut engine, &[text("30 GOTO 30\rRUN\r")], 200);
+    assert!(after(&mut engine, &[Run], 200).console.contains("HELLO"));
+}
+
+const LOOP: &str = "10 A=A+1\n20 B=A*2\n30 GOTO 10";
+
+fn load(text: &str) -> ToWorker {
+    ToWorker::Load {
+        text: text.to_owned(),
+        start: true,
+    }
+}
+
+#[test]
+fn a_program_of_the_page_is_loaded_and_visibly_started() {
+    let mut engine = bench();
+    let Some(FromWorker::Loaded(Ok(revision))) = engine.act(&load("10 ?\"HI\"\n\n20 END")) else {
+        panic!("not loaded");
+    };
+    assert_eq!(revision.lines, [Some(10), None, Some(20)]);
+    let report = after(&mut engine, &[], 200);
+    assert_eq!(report.console, "RUN\r\nHI\r\n>");
+    assert_eq!(report.status.revision, revision.number);
+    let refused = engine.act(&load("10 END\nEND"));
+    let Some(FromWorker::Loaded(Err(refused))) = refused else {
+        panic!("loaded");
+    };
+    assert_eq!(refused.line, 1);
+    let listing = FromWorker::Listing {
+        text: "10 ?\"HI\"\r\n20 END\r\n".to_owned(),
+        revision: revision.number,
+    };
+    assert_eq!(engine.act(&ToWorker::Take), Some(listing));
+}
+
+#[test]
+fn a_breakpoint_holds_program_and_time_and_a_step_runs_one_statement() {
+    let mut engine = bench();
+    after(
+        &mut engine,
+        &[ToWorker::Breakpoints(vec![20]), load(LOOP)],
+        1000,
+    );
+    let held = engine.report();
+    assert!(held.frozen);
+    assert_eq!(
+        (held.status.run, held.status.line),
+        (RunState::Paused, Some(20))
+    );
+    let stepped = after(&mut engine, &[ToWorker::Step], 1000);
+    assert_eq!(stepped.status.line, Some(30));
+    assert!(stepped.frozen && stepped.now.since(held.now) < Nanos::from_millis(10));
+    let again = after(&mut engine, &[ToWorker::Freeze(false)], 1000);
+    assert_eq!((again.status.line, again.frozen), (Some(20), true));
+    let free = [ToWorker::Breakpoints(Vec::new()), ToWorker::Freeze(false)];
+    let free = after(&mut engine, &free, 1000);
+    assert_eq!((free.status.run, free.frozen), (RunState::Running, false));
+    let stopped = after(&mut engine, &[ToWorker::Freeze(true), Stop], 100);
+    assert!(stopped.console.ends_with("\r\n>"), "{:?}", stopped.console);
+}
+
+#[test]
+fn what_is_kept_comes_back_into_another_bench() {
+    let mut engine = bench();
+    after(&mut engine, &[load("10 END")], 200);
+    after(&mut engine, &[text("SAVE \"B:ONE\"\rSAVE \"TWO\"\r")], 300);
+    let Some(FromWorker::Kept(memory)) = engine.act(&ToWorker::Keep) else {
+        panic!("nothing kept");
+    };
+    assert_eq!(engine.act(&ToWorker::Keep), None, "nothing has changed");
+    let mut other = bench();
+    let answer = after(
+        &mut other,
+        &[ToWorker::Restore(memory), text("LIST\rFILES\r")],
+        300,
+    );
+    assert!(
+        answer.console.contains("10 END\r\n"),
+        "{:?}",
+        answer.console
+    );
+    assert!(answer.console.contains("TWO.BAS"), "{:?}", answer.console);
+    let off_and_on = after(
+        &mut other,
+        &[Power(false), Power(true), text("LOAD \"B:ONE\"\rLIST\r")],
+        500,
+    );
+    assert!(
+        off_and_on.console.ends_with("10 END\r\n>"),
+        "{:?}",
+        off_and_on.console
+    );
+}
+
+#[test]
+fn the_emergency_stop_acts_under_any_program() {
+    let mut engine = bench();
+    let spin = "10 MDRVEN()\n20 MSPEED(34952)\n30 GOTO 30";
+    assert!(after(&mut engine, &[load(spin)], 2000).status.moving);
+    let stopped = after(&mut engine, &[ToWorker::EmergencyStop(true)], 1000).status;
+    assert!(!stopped.moving && !stopped.enabled, "{stopped:?}");
+    assert_eq!(stopped.run, RunState::Running);
+}
+
+#[test]
+fn the_mains_switch_forgets_the_program_and_what_was_being_sent() {
+    let mut engine = bench();
+    after(
+        &mut engine,
+        &[text("10 GOTO 10\rRUN\r"), text(&"X".repeat(1000))],
+        100,
+    );
+    let report = after(&mut engine, &[Power(false)], 100);
+    assert_eq!((report.status.power, report.pending), (false, 0));
+    let report = after(&mut engine, &[Power(true)], 500);
+    assert!(report.console.ends_with('>'), "{:?}", report.console);
+    assert_eq!(
+        after(&mut engine, &[text("LIST\r")], 200).console,
+        "LIST\r\n>"
+    );
+}
+
+#[test]
+fn a_page_that_does_not_listen_stops_the_simulation() {
+    let mut engine = bench();
+    while !engine.is_full() {
+        engine.advance(engine.now() + Nanos::from_millis(1000));
+        assert!(engine.now() < Nanos::from_millis(1_000_000));
+    }
+    engine.report();
+    assert!(!engine.is_full());
+}
+
+#[test]
+fn a_file_is_sent_line_by_line_as_the_controller_asks_for_it() {
+    let mut engine = bench();
+    let program: String = (1..=50)
+        .map(|n| format!("{}0 REM {}\r", n, "X".repeat(60)))
+        .collect();
+    let pace = Pace {
+        character: Nanos::ZERO,
+        line: Nanos::from_millis(20),
+        prompt: true,
+    };
+    let send = ToWorker::SendPaced {
+        text: program,
+        pace,
+    };
+    let report = after(&mut engine, &[send, text("LIST 500\r")], 1000);
+    assert!(report.pending > 2000, "{}", report.pending);
+    // What the user types meanwhile comes behind it.
+    let report = after(&mut engine, &[], 9000);
+    assert_eq!(report.pending, 0);
+    let listed = format!("LIST 500\r\n500 REM {}\r\n>", "X".repeat(60));
+    assert!(report.console.ends_with(&listed), "{:?}", report.console);
+}
+
+#[test]
+fn a_file_that_is_being_sent_can_be_cancelled_and_is_forgotten_by_a_stop() {
+    let mut engine = bench();
+    let send = || ToWorker::SendPaced {
+        text: "10 REM\r".repeat(1000),
+        pace: Pace::default(),
+    };
+    assert!(after(&mut engine, &[send()], 100).pending > 5000);
+    assert_eq!(after(&mut engine, &[ToWorker::Cancel], 0).pending, 0);
+    assert!(after(&mut engine, &[send()], 100).pending > 5000);
+    assert!(after(&mut engine, &[Stop], 100).pending == 0);
+}
