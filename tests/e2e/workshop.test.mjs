@@ -101,7 +101,7 @@ for (const [size, viewport] of Object.entries(SIZES)) {
       if (size === "phone") {
         for (const line of PROGRAM) {
           await page.getByLabel("A line for the controller").fill(line);
-          await page.getByRole("button", { name: "Send" }).click();
+          await page.getByRole("button", { name: "Send", exact: true }).click();
         }
       } else {
         await page.keyboard.type(`${PROGRAM.join("\n")}\n`);

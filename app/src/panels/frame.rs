@@ -9,6 +9,7 @@ use web_sys::{Element, KeyboardEvent, PointerEvent};
 use super::{editor, scope, terminal};
 use crate::state::Store;
 use crate::state::layout::{Divider, LEAST, Layout, MOST, Panel, STEP};
+use crate::storage::Keeper;
 
 /// Where there is room for one panel alone, as in the style sheet.
 const NARROW: &str = "(max-width: 43.75rem)";
@@ -43,7 +44,7 @@ pub(super) fn is_narrow() -> bool {
 
 /// The panels.
 #[component]
-pub(super) fn Frame(store: Store) -> impl IntoView {
+pub(super) fn Frame(store: Store, keeper: Keeper) -> impl IntoView {
     let main = NodeRef::<html::Main>::new();
     keep_keyboard();
     // As CSS numbers: the shares of what stands before a divider and of what stands behind it.
@@ -54,7 +55,7 @@ pub(super) fn Frame(store: Store) -> impl IntoView {
         <main class="workshop" node_ref=main data-shown=move || store.layout.with(Layout::shown).name()
             style:--program=move || before(Divider::Program) style:--bench=move || behind(Divider::Program)
             style:--terminal=move || before(Divider::Terminal) style:--scope=move || behind(Divider::Terminal)>
-            <Cell store panel=Panel::Program><editor::Editor store /></Cell>
+            <Cell store panel=Panel::Program><editor::Editor store read_only=Signal::derive(move || keeper.is_read_only()) /></Cell>
             <DividerView store divider=Divider::Program main />
             <div class="bench">
                 <Cell store panel=Panel::Terminal><terminal::Terminal store /></Cell>

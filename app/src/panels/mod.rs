@@ -39,7 +39,7 @@ pub fn mount() {
             <Notice store />
             <project::KeepingNotice store keeper />
             <update::UpdatePrompt updates />
-            <frame::Frame store />
+            <frame::Frame store keeper />
             <terminal::Compose store />
             <status::StatusLine store keeper updates />
             <frame::Tabs store />

@@ -37,14 +37,8 @@ impl Store {
     /// Puts a project into a page that has just been opened.
     fn put_back(self, project: Project) {
         let Project { work, device } = project;
-        self.editor.update(|editor| {
-            editor.take(&work.text);
-            for line in work.breakpoints {
-                if !editor.breakpoints().contains(&line) {
-                    editor.toggle_breakpoint(line);
-                }
-            }
-        });
+        self.editor
+            .update(|editor| editor.open(&work.text, work.breakpoints));
         self.project_name.set(work.name);
         self.layout.set(work.layout);
         self.send(ToWorker::Speed(work.speed));

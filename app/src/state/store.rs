@@ -6,7 +6,6 @@ use leptos::prelude::*;
 use motionbench_core::catalog::KINDS;
 use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
-use motionbench_core::serial::LineSettings;
 
 use super::editor::{EditorState, FIRST_PROGRAM};
 use super::project::Layout;
@@ -131,12 +130,6 @@ impl Store {
         self.scope.update_value(change);
         self.chosen.update(|count| *count += 1);
         self.recorded.update(|count| *count += 1);
-    }
-
-    /// Sets the terminal's end of the line.
-    pub fn set_line(&self, settings: LineSettings) {
-        self.device.update(|device| device.line = Some(settings));
-        self.send(ToWorker::Line(settings));
     }
 
     pub(super) fn hear(&self, news: &News) {

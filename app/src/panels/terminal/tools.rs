@@ -9,11 +9,11 @@ use web_sys::{Element, HtmlElement};
 
 use super::{file, line};
 use crate::panels::popover::Popover;
-use crate::panels::save;
 use crate::protocol::ToWorker;
 use crate::state::device::line_words;
 use crate::state::terminal::Terminal;
 use crate::state::{Store, words};
+use crate::storage::files;
 
 /// The tools in the head of the terminal.
 #[component]
@@ -67,7 +67,10 @@ fn Capture(store: Store) -> impl IntoView {
     let is_on = Memo::new(move |_| captured.with(Option::is_some));
     let press = move |_| {
         if is_on.get_untracked() {
-            save::save_text("terminal.txt", "text/plain", &store.end_capture());
+            let text = store.end_capture();
+            if files::save("terminal.txt", "text/plain", &text).is_err() {
+                store.say("The browser refuses to save a file: use Copy all.");
+            }
         } else {
             store.start_capture();
         }
