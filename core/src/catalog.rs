@@ -50,6 +50,21 @@ pub struct Kind {
     pub highlight: fn(&str) -> Vec<Highlight>,
     /// Every word of its language.
     pub keywords: fn() -> Vec<&'static KeywordRow>,
+    /// A short program that moves an axis, for a first visit.
+    pub first_program: &'static str,
+    /// How a newcomer gets from the console to a program of their own that outlives the mains switch.
+    pub first_steps: &'static [FirstStep],
+    /// The command that enables the drive again after an emergency stop.
+    pub enable: &'static str,
+}
+
+/// One step of a newcomer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FirstStep {
+    /// A line for the console, and what it does.
+    Type(&'static str, &'static str),
+    /// The mains switch goes off and on.
+    PowerCycle,
 }
 
 /// Every kind there is.
@@ -61,6 +76,9 @@ pub const KINDS: &[Kind] = &[Kind {
     diagnose: mc600::diagnose::diagnose,
     highlight: mc600::diagnose::highlight,
     keywords: mc600::keywords::rows,
+    first_program: mc600::first_steps::PROGRAM,
+    first_steps: mc600::first_steps::STEPS,
+    enable: "MDRVEN()",
 }];
 
 /// The kind called `id`.

@@ -6,7 +6,7 @@ import { accessible, eventually, printed, printedEnd } from "./steps.mjs";
 
 const SIZES = {
   wide: { width: 1440, height: 900 },
-  low: { width: 1024, height: 700 },
+  low: { width: 1024, height: 768 },
   phone: { width: 390, height: 844 },
 };
 
@@ -14,6 +14,12 @@ const SIZES = {
 async function size(page, panel, dimension) {
   const box = await page.locator(`.${panel}-cell`).boundingBox();
   return box[dimension];
+}
+
+/** Holds that nothing is wider than the page. */
+async function fits(page) {
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.equal(overflow, 0);
 }
 
 for (const [name, viewport] of Object.entries(SIZES)) {
@@ -40,9 +46,43 @@ for (const [name, viewport] of Object.entries(SIZES)) {
         await shot(`frame-${dialog.replace(" ", "-").toLowerCase()}-${name}-${colorScheme}`);
         await page.keyboard.press("Escape");
       }
-      // Nothing is wider than the page.
-      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-      assert.equal(overflow, 0);
+      await page.waitForTimeout(500);
+      await shot(`frame-running-${name}-${colorScheme}`);
+      await fits(page);
+    });
+
+    siteTest(`what goes wrong is said, ${name} and ${colorScheme}`, async (page, { shot }) => {
+      await page.setViewportSize(viewport);
+      await page.emulateMedia({ colorScheme });
+      const look = async (state) => {
+        await accessible(page);
+        await fits(page);
+        await shot(`frame-${state}-${name}-${colorScheme}`);
+      };
+      await printedEnd(page, ">");
+      const emergency = page.getByRole("button", { name: "E-STOP" });
+      await page.getByRole("button", { name: "Run", exact: true }).click();
+      await page.getByText("press Run").waitFor({ state: "detached" });
+      await emergency.click();
+      await page.getByText("Emergency stop.").waitFor();
+      await look("estop");
+      await emergency.click();
+      await page.getByText("Emergency stop.").waitFor({ state: "detached" });
+      await page.getByRole("button", { name: "Stop", exact: true }).click();
+      await printedEnd(page, "\n>");
+      await page.getByRole("textbox", { name: "Terminal" }).focus();
+      await page.keyboard.type("NEW\n10 GOTO 45\nRUN\n");
+      await printedEnd(page, "?UNDEF'D STATEMENT ERROR IN 10\n>");
+      await look("error");
+      await page.workers()[0].evaluate(() => self.close()).catch(() => {});
+      await page.getByText("The simulator has failed and was started again.").waitFor();
+      await page.getByText("idle", { exact: true }).waitFor();
+      await page.getByText("controller differs", { exact: true }).waitFor({ state: "attached" });
+      assert.doesNotMatch(await printed(page), />>/, "the prompt is on a line of its own");
+      await look("restarted");
+      await page.getByRole("textbox", { name: "Terminal" }).focus();
+      await page.keyboard.type("LIST\n");
+      await printedEnd(page, "10 GOTO 45\n>");
     });
   }
 }

@@ -2,34 +2,11 @@
 
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
+import { paints } from "./measures.mjs";
+import { eventually, paste, printed, printedEnd } from "./steps.mjs";
 
 const PROGRAM = ["10 MDRVEN()", "20 MMOVE(40960)", "RUN"];
 const SIZES = { wide: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } };
-
-/** Waits until `check` holds. Playwright's own waitForFunction evaluates text, which the page's policy forbids. */
-async function eventually(what, check) {
-  const end = Date.now() + 20_000;
-  let seen = await check();
-  while (seen !== true) {
-    assert.ok(Date.now() < end, `${what}; there was ${JSON.stringify(seen)}`);
-    await new Promise((resolve) => setTimeout(resolve, 50));
-    seen = await check();
-  }
-}
-
-/** What the terminal shows, without the empty rows at its end. */
-async function printed(page) {
-  const rows = await page.locator(".row").allTextContents();
-  return rows.map((row) => row.trimEnd()).join("\n").trimEnd();
-}
-
-/** Waits until the terminal's text ends with `end`. */
-function printedEnd(page, end) {
-  return eventually(`the terminal's text ends with ${JSON.stringify(end)}`, async () => {
-    const text = await printed(page);
-    return text.endsWith(end) || text.slice(-200);
-  });
-}
 
 /** Waits until the strip called `label` shows `value`. */
 function shows(page, label, value) {
@@ -53,40 +30,6 @@ function linePixels(page, strip) {
     }
     return found;
   }, strip);
-}
-
-/** Holds that the page paints `least` frames a second, in the best of some moments: the machine may be busy too. */
-async function paints(page, least) {
-  let best = { rate: 0 };
-  for (let moment = 0; moment < 5 && best.rate < least; moment += 1) {
-    const measured = await frames(page, 1.5);
-    best = measured.rate > best.rate ? measured : best;
-  }
-  console.log(`${best.rate.toFixed(1)} frames a second, the longest pause ${best.longest.toFixed(0)} ms`);
-  assert.ok(best.rate >= least, `${best.rate} frames a second`);
-}
-
-/** Frames a second that the page paints for `seconds`, and the longest pause between two, in ms. */
-function frames(page, seconds) {
-  return page.evaluate(
-    (seconds) =>
-      new Promise((resolve) => {
-        const start = performance.now();
-        let [count, last, longest] = [0, start, 0];
-        const frame = (now) => {
-          count += 1;
-          longest = Math.max(longest, now - last);
-          last = now;
-          if (now - start < seconds * 1000) {
-            requestAnimationFrame(frame);
-          } else {
-            resolve({ rate: (count * 1000) / (now - start), longest });
-          }
-        };
-        requestAnimationFrame(frame);
-      }),
-    seconds,
-  );
 }
 
 for (const [size, viewport] of Object.entries(SIZES)) {
@@ -162,11 +105,7 @@ siteTest("a flood of text, a megabyte of paste and full speed leave the page ans
   await printedEnd(page, ">");
   await page.keyboard.type("10 PRINT \"ALL WORK AND NO PLAY\"\n20 GOTO 10\nRUN\n");
   await page.getByRole("combobox", { name: "Simulation speed" }).selectOption("max");
-  await page.evaluate(() => {
-    const clipboardData = new DataTransfer();
-    clipboardData.setData("text", "REM PASTED\n".repeat(100_000));
-    document.activeElement.dispatchEvent(new ClipboardEvent("paste", { clipboardData, cancelable: true }));
-  });
+  await paste(page, "REM PASTED\n".repeat(100_000));
   await paints(page, 55);
   await shot("flood");
   await page.getByRole("button", { name: "Stop", exact: true }).click();

@@ -157,7 +157,7 @@ fn wasm() -> Result<()> {
         shell::run(command)
     };
     test(&["-p", "motionbench-tests"])?;
-    test(&["-p", "motionbench-app", "--test", "*"])
+    test(&["-p", "motionbench-app", "--lib", "--test", "*"])
 }
 
 fn end_to_end() -> Result<()> {

@@ -26,6 +26,7 @@ pub(super) fn EStop(store: Store) -> impl IntoView {
 /// What it means, while it is pressed.
 #[component]
 pub(super) fn EStopNotice(store: Store) -> impl IntoView {
+    let enable = move || store.editor.with(|editor| editor.kind().enable);
     let pressed = pressed(store);
     view! {
         <div role="status">
@@ -33,7 +34,7 @@ pub(super) fn EStopNotice(store: Store) -> impl IntoView {
                 <p class="stopped">
                     <strong>"Emergency stop."</strong>
                     " The axis brakes and the drive is disabled; the program goes on. Release E-STOP, then enable \
-                     the drive again with MDRVEN()."
+                     the drive again with "<code>{enable}</code>"."
                 </p>
             </Show>
         </div>

@@ -16,6 +16,8 @@ mod room;
 mod scope;
 mod status;
 mod terminal;
+#[cfg(all(test, target_family = "wasm"))]
+mod tests;
 mod topbar;
 mod update;
 

@@ -147,7 +147,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                     <gestures::Plots store over>
                         <Cursors store over />
                     </gestures::Plots>
-                    <Show when=move || !shown.get()><FirstSteps store /></Show>
+                    <Show when=move || !shown.get()><FirstSteps /></Show>
                 </div>
             </div>
             <gestures::Again store />
@@ -202,28 +202,13 @@ fn draw(store: Store, sheets: Sheets) {
 
 /// What is what, as long as nothing has moved.
 #[component]
-fn FirstSteps(store: Store) -> impl IntoView {
-    let has_program =
-        Memo::new(move |_| store.editor.with(|editor| !editor.text().trim().is_empty()));
-    let typed = || {
-        view! {
-            <p>"Nothing has moved yet. Type these three lines into the terminal, each with Enter:"</p>
-            <ol class="program">
-                <li><code>"10 MDRVEN()"</code><span>"switches the drive on"</span></li>
-                <li><code>"20 MMOVE(40960)"</code><span>"moves the axis ten turns"</span></li>
-                <li><code>"RUN"</code><span>"starts the program"</span></li>
-            </ol>
-            <p>"The axis is drawn here while it moves."</p>
-        }
-    };
+fn FirstSteps() -> impl IntoView {
     view! {
         <div class="first-steps">
-            <Show when=move || has_program.get() fallback=typed>
-                <p><strong>"Nothing has moved yet: press Run."</strong></p>
-                <p>"Run gives the program to the controller, which is simulated in this page, and starts it. "
-                    "The terminal is the controller's console: there you can type to it. "
-                    "What the axis does is drawn here."</p>
-            </Show>
+            <p><strong>"Nothing has moved yet: press Run."</strong></p>
+            <p>"Run gives the program to the controller, which is simulated in this page, and starts it. "
+                "The terminal is the controller's console: there you can type to it; Help says what. "
+                "What the axis does is drawn here."</p>
         </div>
     }
 }

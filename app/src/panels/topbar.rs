@@ -2,6 +2,7 @@
 
 use leptos::ev;
 use leptos::prelude::*;
+use motionbench_core::catalog::FirstStep;
 use web_sys::KeyboardEvent;
 
 use super::dialog::Dialog;
@@ -9,6 +10,7 @@ use super::estop::EStop;
 use super::frame;
 use super::project::ProjectMenu;
 use crate::protocol::{Speed, ToWorker};
+use crate::state::editor::EditorState;
 use crate::state::keys::{Press, Shortcut, shortcut};
 use crate::state::layout::{Layout, Panel};
 use crate::state::{Device, Store, words};
@@ -44,7 +46,7 @@ pub(super) fn TopBar(store: Store, keeper: Keeper) -> impl IntoView {
             <button type="button" class="button help" on:click=move |_| help.set(true)>"Help"</button>
             <EStop store />
         </header>
-        <Dialog open=help title="Help"><Help /></Dialog>
+        <Dialog open=help title="Help"><Help store /></Dialog>
     }
 }
 
@@ -153,7 +155,8 @@ fn SpeedChoice(store: Store) -> impl IntoView {
 
 /// What is what, and the keys.
 #[component]
-fn Help() -> impl IntoView {
+fn Help(store: Store) -> impl IntoView {
+    let kind = store.editor.with_untracked(EditorState::kind);
     let keys = [
         ("F5", "Run the program"),
         ("Shift+F5", "Stop it, as Ctrl-C in the terminal does"),
@@ -175,12 +178,22 @@ fn Help() -> impl IntoView {
         ),
     ];
     let row = |(key, what)| view! { <dt><kbd>{key}</kbd></dt><dd>{what}</dd> };
+    let step = |step: &FirstStep| {
+        match *step {
+        FirstStep::Type(line, what) => view! { <li><code>{line}</code><span>{what}</span></li> }.into_any(),
+        FirstStep::PowerCycle => {
+            view! { <li><strong>"Power"</strong><span>"press it twice: off, and on again"</span></li> }.into_any()
+        }
+    }
+    };
     view! {
         <div class="dialog-body">
             <p>"The controller is simulated in this page, and keeps its own program. Run gives it the program that you see
                 and starts it."</p>
             <p>"The terminal is its console: what you type there goes to the controller, character by character."</p>
             <p>"The scope draws what the axis does."</p>
+            <h3>"A program of your own, typed in the terminal"</h3>
+            <ol class="steps-help">{kind.first_steps.iter().map(step).collect_view()}</ol>
             <h3>"Keys"</h3>
             <dl class="keys-help">{keys.map(row)}</dl>
         </div>

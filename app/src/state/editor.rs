@@ -13,9 +13,6 @@ use super::words;
 use lines::{Edit, Moved};
 use programs::{Difference, Loaded, Sent};
 
-/// What is in the editor on a first visit: moves the axis to and fro within two seconds, and says so.
-pub const FIRST_PROGRAM: &str = include_str!("editor/first_program.bas");
-
 /// Characters of a text that is checked while it is typed: more than a program has, and checked within two frames.
 const MOST_CHECKED: usize = 250_000;
 
@@ -261,6 +258,12 @@ impl EditorState {
         self.sent = None;
         // What was heard of another program meanwhile was let pass.
         self.controller = None;
+    }
+
+    /// The controller begins anew, and counts its revisions from the start: what it has is not known any more.
+    pub fn forget_controller(&mut self) {
+        (self.sent, self.loaded, self.controller) = (None, None, None);
+        self.running = None;
     }
 
     /// Whether the controller's program and its running line are as they were when last heard of.

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use super::editor::EditorState;
 use super::{Fault, Store};
 use crate::client::Client;
 use crate::clock;
@@ -79,6 +80,8 @@ impl Store {
             return;
         }
         self.start_worker();
+        self.editor.update(EditorState::forget_controller);
+        self.start_on_new_line();
         if let Some(memory) = self.kept.get_untracked() {
             self.send(ToWorker::Restore(memory));
         }

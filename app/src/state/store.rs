@@ -7,7 +7,7 @@ use motionbench_core::catalog::KINDS;
 use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
 
-use super::editor::{EditorState, FIRST_PROGRAM};
+use super::editor::EditorState;
 use super::project::Layout;
 use super::revive::Health;
 use super::scope::Scope;
@@ -59,6 +59,14 @@ pub struct Store {
 impl Store {
     /// Starts the simulator.
     pub fn start() -> Store {
+        let store = Store::without_simulator();
+        store.start_worker();
+        store.look_after_worker();
+        store
+    }
+
+    /// A page to which nobody tells anything.
+    pub(crate) fn without_simulator() -> Store {
         let store = Store {
             device: RwSignal::default(),
             layout: RwSignal::default(),
@@ -69,7 +77,7 @@ impl Store {
             wiring: RwSignal::default(),
             chosen: RwSignal::new(0),
             recorded: RwSignal::new(0),
-            editor: RwSignal::new(EditorState::new(&KINDS[0], FIRST_PROGRAM)),
+            editor: RwSignal::new(EditorState::new(&KINDS[0], KINDS[0].first_program)),
             asked: RwSignal::new(false),
             refusal: RwSignal::new(None),
             kept: RwSignal::new(None),
@@ -80,8 +88,6 @@ impl Store {
             scope: StoredValue::new_local(Scope::default()),
             client: StoredValue::new_local(None),
         };
-        store.start_worker();
-        store.look_after_worker();
         store.follow_breakpoints();
         store
     }
@@ -113,6 +119,11 @@ impl Store {
         self.printed.update(|count| *count += 1);
     }
 
+    /// What is printed next does not go on with what stands there.
+    pub(super) fn start_on_new_line(&self) {
+        self.terminal.update_value(Terminal::on_new_line);
+    }
+
     /// Fits the terminal into so much room.
     pub fn resize_terminal(&self, columns: usize, rows: usize) {
         self.terminal
@@ -132,7 +143,8 @@ impl Store {
         self.recorded.update(|count| *count += 1);
     }
 
-    pub(super) fn hear(&self, news: &News) {
+    /// What the simulator tells.
+    pub(crate) fn hear(&self, news: &News) {
         let was_on = self.device.with_untracked(Device::is_on);
         match news {
             News::Ready(ready) => {
@@ -142,6 +154,9 @@ impl Store {
             }
             News::Frame(frame, samples) => {
                 self.health.update_value(Health::heard);
+                if frame.status.power && !was_on {
+                    self.start_on_new_line();
+                }
                 if !frame.console.is_empty() {
                     self.terminal
                         .update_value(|terminal| terminal.print(&frame.console));

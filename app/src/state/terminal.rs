@@ -156,6 +156,14 @@ impl Terminal {
             .collect()
     }
 
+    /// Goes to a new line where something stands in this one: what is printed next belongs to another start.
+    pub fn on_new_line(&mut self) {
+        let column = self.emulator.cursor().position().map(|(column, _)| column);
+        if column.is_some_and(|column| column > 0) {
+            self.print("\r\n");
+        }
+    }
+
     /// Forgets all rows but the one that the cursor is in.
     pub fn clear(&mut self) {
         let (columns, rows) = self.emulator.size();
@@ -352,6 +360,16 @@ mod tests {
             rows.pop();
         }
         rows
+    }
+
+    #[test]
+    fn another_start_begins_on_a_new_line() {
+        let mut terminal = Terminal::default();
+        terminal.on_new_line();
+        terminal.print(">");
+        terminal.on_new_line();
+        terminal.print(">");
+        assert_eq!(terminal.text().trim_end(), ">\n>");
     }
 
     #[test]

@@ -14,6 +14,7 @@ pub mod diagnose;
 mod disks;
 mod drive;
 pub mod firmware;
+pub mod first_steps;
 mod functions;
 mod jumps;
 pub mod keywords;

@@ -234,7 +234,7 @@ fn a_text_that_the_controller_refuses_changes_nothing() {
 
 #[test]
 fn the_first_program_moves_the_axis_to_and_fro_within_two_seconds() {
-    let editor = Desk::new(FIRST_PROGRAM).editor;
+    let editor = Desk::new(catalog::KINDS[0].first_program).editor;
     assert_eq!(editor.problems().len(), 0);
     let kind = editor.kind();
     let mut bench = Bench::new();
@@ -243,7 +243,9 @@ fn the_first_program_moves_the_axis_to_and_fro_within_two_seconds() {
     let mut probe = Probe::recording();
     bench.run_until(Nanos::from_millis(500), &mut probe);
     let controller = bench.station_mut(station).unwrap();
-    controller.load(&Slot::Program, FIRST_PROGRAM).unwrap();
+    controller
+        .load(&Slot::Program, catalog::KINDS[0].first_program)
+        .unwrap();
     bench.send(bench.line_of(station).unwrap(), b"RUN\r");
     bench.run_until(Nanos::from_millis(2500), &mut probe);
     let printed: Vec<u8> = probe.console.iter().map(|sent| sent.byte).collect();
@@ -289,4 +291,21 @@ fn a_text_that_is_no_program_is_told_so_in_good_time() {
         "{}",
         found[0].cause
     );
+}
+
+#[test]
+fn a_controller_that_begins_anew_is_asked_what_it_has() {
+    let mut desk = Desk::new(PROGRAM);
+    desk.load();
+    assert_eq!(desk.editor.agreement(), Agreement::Same);
+    // Another one that has changed its program as often.
+    let revision = desk.station.controller().status().revision;
+    let mut other = Desk::new(PROGRAM);
+    while other.station.controller().status().revision < revision {
+        other.elsewhere("10 END");
+    }
+    desk.station = other.station;
+    desk.editor.forget_controller();
+    desk.hear();
+    assert_eq!(desk.editor.agreement(), Agreement::ControllerDiffers);
 }

@@ -1,0 +1,224 @@
+//! Panels in a browser, told what a simulator would tell.
+
+use std::any::Any;
+use std::cell::Cell;
+use std::rc::Rc;
+
+use leptos::mount::mount_to;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use motionbench_core::controller::{RunState, Signal, Status};
+use motionbench_core::serial::LineSettings;
+use motionbench_core::time::Nanos;
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+use web_sys::{Element, HtmlElement};
+
+use super::{estop, io, status, terminal};
+use crate::clock::within;
+use crate::offline::Updates;
+use crate::protocol::{BUILD, Frame, Ready};
+use crate::state::{News, Store};
+use crate::storage::Keeper;
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+/// A panel that is the only thing in the page.
+struct Panel {
+    store: Store,
+    element: Element,
+    /// Dropped, it takes the panel out of the page.
+    _mounted: Box<dyn Any>,
+}
+
+impl Panel {
+    /// Shows what `view` makes.
+    fn show<V: IntoView + 'static>(view: impl FnOnce(Store) -> V + 'static) -> Panel {
+        let element = document().create_element("div").unwrap();
+        document().body().unwrap().append_child(&element).unwrap();
+        let home = element.clone().unchecked_into::<HtmlElement>();
+        let made = Rc::new(Cell::new(None));
+        let mounted = mount_to(home, {
+            let made = made.clone();
+            move || {
+                let store = Store::without_simulator();
+                made.set(Some(store));
+                view(store)
+            }
+        });
+        Panel {
+            store: made.get().expect("mounted at once"),
+            element,
+            _mounted: Box::new(mounted),
+        }
+    }
+
+    fn find(&self, selector: &str) -> HtmlElement {
+        let found = self.element.query_selector(selector).unwrap();
+        let found = found.unwrap_or_else(|| panic!("{selector} in {}", self.element.inner_html()));
+        found.unchecked_into()
+    }
+
+    fn text(&self, selector: &str) -> String {
+        self.find(selector).text_content().unwrap_or_default()
+    }
+
+    /// The terminal's lines, without the empty ones at the end.
+    fn rows(&self) -> Vec<String> {
+        let text = self.find(".rows").inner_text();
+        // First what a character is measured by.
+        let mut rows: Vec<String> = text
+            .lines()
+            .skip(1)
+            .map(|row| row.trim_end().to_owned())
+            .collect();
+        while rows.last().is_some_and(String::is_empty) {
+            rows.pop();
+        }
+        rows
+    }
+
+    /// Presses a button, and lets the page draw.
+    async fn press(&self, selector: &str) {
+        self.find(selector).click();
+        drawn().await;
+    }
+
+    /// The simulator stands.
+    fn ready(&self) {
+        let signals = ["x.command", "outputs"].map(|name| Signal {
+            name: name.to_owned(),
+            unit: "counts".to_owned(),
+        });
+        self.store.hear(&News::Ready(Ready {
+            build: BUILD.to_owned(),
+            controller: "Danaher MC-600".to_owned(),
+            line: LineSettings::new(9600),
+            signals: signals.to_vec(),
+        }));
+    }
+
+    /// The simulator tells what has happened.
+    async fn frame(&self, number: u64, change: impl FnOnce(&mut Frame), samples: &[f64]) {
+        let status = Status {
+            power: true,
+            run: RunState::Running,
+            line: Some(20),
+            spent: 0,
+            unread: 0,
+            unsent: 0,
+            moving: false,
+            enabled: true,
+            fault: None,
+            at_prompt: false,
+            error: None,
+            revision: 1,
+        };
+        let mut frame = Frame {
+            number,
+            now: Nanos::from_millis(1500),
+            status,
+            reached: 1.0,
+            console: String::new(),
+            pending: 0,
+            frozen: false,
+        };
+        change(&mut frame);
+        self.store.hear(&News::Frame(frame, samples.to_vec()));
+        drawn().await;
+    }
+}
+
+/// Until the page has drawn.
+async fn drawn() {
+    within::<()>(100, std::future::pending()).await;
+}
+
+#[wasm_bindgen_test]
+async fn a_switch_and_a_lamp_show_how_they_stand() {
+    let panel = Panel::show(|store| view! { <io::Io store /> });
+    let switch = "[aria-label='Input 3']";
+    let stands = || panel.find(switch).get_attribute("aria-checked");
+    assert_eq!(stands().as_deref(), Some("false"));
+    panel.press(switch).await;
+    assert_eq!(stands().as_deref(), Some("true"));
+    panel.press(switch).await;
+    assert_eq!(stands().as_deref(), Some("false"));
+    panel.ready();
+    let lamps = ".points:last-child";
+    assert!(panel.text(lamps).contains("output 2 off"));
+    panel.frame(1, |_| (), &[1e6, 0.0, 4.0]).await;
+    assert!(panel.text(lamps).contains("output 2 on"));
+    assert!(panel.text(lamps).contains("output 1 off"));
+    panel
+        .frame(2, |frame| frame.status.power = false, &[2e6, 0.0, 4.0])
+        .await;
+    assert!(
+        panel.text(lamps).contains("output 2 off"),
+        "dark without mains"
+    );
+}
+
+#[wasm_bindgen_test]
+async fn the_emergency_stop_is_latched_and_says_the_cure() {
+    let panel = Panel::show(|store| {
+        view! { <estop::EStop store /><estop::EStopNotice store /> }
+    });
+    assert_eq!(panel.text("[role=status]"), "");
+    panel.press(".estop").await;
+    assert_eq!(panel.text(".estop"), "Release E-STOP");
+    assert!(panel.text("[role=status]").contains("MDRVEN()"));
+    panel.press(".estop").await;
+    assert_eq!(panel.text(".estop"), "E-STOP");
+    assert_eq!(panel.text("[role=status]"), "");
+}
+
+#[wasm_bindgen_test]
+async fn the_terminal_shows_what_the_console_sent() {
+    let panel = Panel::show(|store| view! { <terminal::Terminal store /> });
+    panel.ready();
+    panel
+        .frame(1, |frame| frame.console = "OUT 40960\r\n>".to_owned(), &[])
+        .await;
+    assert_eq!(panel.rows(), ["OUT 40960", ">"]);
+    // The prompt of another start is on a line of its own.
+    panel
+        .frame(2, |frame| frame.status.power = false, &[])
+        .await;
+    panel
+        .frame(3, |frame| frame.console = ">".to_owned(), &[])
+        .await;
+    assert_eq!(panel.rows(), ["OUT 40960", ">", ">"]);
+}
+
+#[wasm_bindgen_test]
+async fn the_status_line_says_what_is_true() {
+    let panel = Panel::show(|store| {
+        let keeper = Keeper::new("motionbench-status");
+        let updates = Updates::start();
+        view! { <status::StatusLine store keeper updates /> }
+    });
+    assert_eq!(panel.text(".activity"), "starting");
+    panel.ready();
+    panel
+        .frame(1, |frame| frame.status.moving = true, &[])
+        .await;
+    assert_eq!(panel.text(".activity"), "running");
+    assert_eq!(panel.text(".line"), "line 20");
+    assert_eq!(panel.text(".moving"), "axis moves");
+    assert_eq!(panel.text(".time"), "t = 00:01.500");
+    assert_eq!(panel.text(".settings"), "9600 8N1");
+    let error = "?SYNTAX ERROR IN 20";
+    panel
+        .frame(
+            2,
+            |frame| {
+                frame.status.run = RunState::Idle;
+                frame.status.error = Some(error.to_owned());
+            },
+            &[],
+        )
+        .await;
+    assert_eq!(panel.text(".activity"), "idle");
+    assert_eq!(panel.text(".error"), error);
+    assert_eq!(panel.text(".line"), "");
+}

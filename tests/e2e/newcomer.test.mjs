@@ -1,0 +1,75 @@
+// A newcomer, who knows nothing but what the page says.
+
+import assert from "node:assert/strict";
+import { siteTest } from "./harness.mjs";
+import { busy, paints } from "./measures.mjs";
+import { eventually, printed, printedEnd } from "./steps.mjs";
+
+const position = (page) => page.locator(".strip-label", { hasText: "position" }).locator(".value").first();
+
+/** Waits until the position is `value`. */
+function stands(page, value) {
+  return eventually(`the axis is at ${value}`, async () => {
+    const text = (await position(page).textContent()).replaceAll("\u202f", "");
+    return text === value || text;
+  });
+}
+
+siteTest("from opening the page to an axis that moves it takes one press", async (page) => {
+  const opened = performance.now();
+  await page.reload();
+  await page.getByText("Nothing has moved yet: press Run.").waitFor();
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await page.getByText("axis moves", { exact: true }).waitFor();
+  const seconds = (performance.now() - opened) / 1000;
+  console.log(`the axis moves ${seconds.toFixed(1)} s after the page was asked for`);
+  assert.ok(seconds < 10, `${seconds} s`);
+});
+
+siteTest("what Help says leads to a program of one's own that outlives the power", async (page, { shot }) => {
+  await printedEnd(page, ">");
+  await page.getByRole("button", { name: "Help" }).click();
+  const help = page.getByRole("dialog", { name: "Help" });
+  const steps = await help.locator(".steps-help li").evaluateAll((rows) =>
+    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
+  );
+  assert.ok(steps.length > 5, "Help has steps");
+  await page.keyboard.press("Escape");
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  for (const { press, type } of steps) {
+    if (press) {
+      const button = page.getByRole("switch", { name: press });
+      await button.click();
+      await page.locator(".status").getByText("off", { exact: true }).waitFor();
+      await button.click();
+      await page.locator(".status").getByText("idle", { exact: true }).waitFor();
+      await printedEnd(page, ">");
+      await stands(page, "0");
+      continue;
+    }
+    await page.keyboard.type(`${type}\n`);
+    await eventually(`${type} is answered`, async () => {
+      const text = await printed(page);
+      return (text.includes(type) && text.endsWith(">")) || text.slice(-100);
+    });
+    assert.doesNotMatch(await printed(page), /ERROR/);
+    if (type === "RUN") {
+      await stands(page, "40960");
+    }
+  }
+  assert.doesNotMatch(await printed(page), />>/, "after a power cycle the prompt is on a line of its own");
+  await shot("newcomer");
+});
+
+siteTest("a busy program, a streaming terminal and four live traces leave time", async (page, { shot }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await printedEnd(page, ">");
+  await page.keyboard.type("10 MDRVEN() : MSPEED(34952)\n20 PRINT \"POSITION\"; GV_FEEDBACK%\n30 GOTO 20\nRUN\n");
+  await page.getByText("axis moves", { exact: true }).waitFor();
+  await page.getByRole("combobox", { name: "What the picture shows" }).selectOption("newest");
+  await page.waitForTimeout(1000);
+  await paints(page, 55);
+  const { all } = await busy(page, 3);
+  await shot("busy-page");
+  assert.ok(all <= 8, `${all} ms of the main thread a frame`);
+});
