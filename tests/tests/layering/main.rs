@@ -88,10 +88,11 @@ const DOORS: [&str; 6] = [
 ];
 
 /// Plain data that passes through the doors, and the speed command's 32 axes.
-const PASSING: [&str; 6] = [
+const PASSING: [&str; 7] = [
     "exec::Wait",
     "motion::rig",
     "probe",
+    "serial::Flow",
     "serial::LineSettings",
     "serial::Parity",
     "time",
