@@ -56,6 +56,60 @@ pub struct Kind {
     pub first_steps: &'static [FirstStep],
     /// The command that enables the drive again after an emergency stop.
     pub enable: &'static str,
+    /// What a person finds at its inputs on the bench.
+    pub inputs: &'static [Wired],
+    /// Which of them lets the drive be enabled.
+    pub enable_input: Option<usize>,
+    /// The lamps at its outputs.
+    pub lamps: Lamps,
+}
+
+/// Something outside that a person sets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wired {
+    /// What stands beside it, where there is little room: `3`.
+    pub label: &'static str,
+    /// For people: `Input 3`.
+    pub name: &'static str,
+    /// As one of [`crate::controller::ControllerInfo::wires`].
+    pub wire: &'static str,
+    /// What can be done with it.
+    pub handle: Handle,
+    /// How it stands on a new bench.
+    pub at: f64,
+}
+
+/// How something is set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Handle {
+    /// 0 or 1.
+    Switch,
+    /// Any value of a range.
+    Knob(Range),
+    /// A switch between the ends of a range, and any value between them.
+    Pin(Range),
+}
+
+/// What a knob can be turned to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The lowest value.
+    pub from: f64,
+    /// The highest value.
+    pub to: f64,
+    /// From one value to the next.
+    pub step: f64,
+    /// For people: `V`.
+    pub unit: &'static str,
+}
+
+/// Lamps that a recorded signal lights.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lamps {
+    /// Its name in the controller's signals.
+    pub signal: &'static str,
+    /// The labels of its bits, the lowest first.
+    pub labels: &'static [&'static str],
 }
 
 /// One step of a newcomer.
@@ -79,6 +133,9 @@ pub const KINDS: &[Kind] = &[Kind {
     first_program: mc600::first_steps::PROGRAM,
     first_steps: mc600::first_steps::STEPS,
     enable: "MDRVEN()",
+    inputs: mc600::wiring::INPUTS,
+    enable_input: Some(mc600::wiring::ENABLE),
+    lamps: mc600::wiring::LAMPS,
 }];
 
 /// The kind called `id`.

@@ -189,7 +189,7 @@ siteTest("a project that the page cannot read stays as it is until the user star
             const store = database.transaction("present", "readwrite").objectStore("present");
             const reading = store.get("project");
             reading.onsuccess = () => {
-              const text = change ? reading.result.replace('"version":1', '"version":2') : reading.result;
+              const text = change ? reading.result.replace('"version":1', '"version":99') : reading.result;
               store.put(text, "project").onsuccess = () => {
                 database.close();
                 resolve(text);

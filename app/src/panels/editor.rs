@@ -6,7 +6,7 @@ use leptos::wasm_bindgen::JsCast;
 use motionbench_core::language::Diagnostic;
 
 use crate::state::Store;
-use crate::state::editor::lines::Edit;
+use crate::state::editor::lines::{self, Edit};
 use crate::state::editor::{EditorState, Toggled};
 
 mod element;
@@ -75,6 +75,10 @@ fn start(
     let editor = store.editor;
     let announcer = element.clone();
     let answers = Answers {
+        highlight: move |line: &str| {
+            let kind = editor.with_untracked(EditorState::kind);
+            lines::highlights(kind, line)
+        },
         problems: move || {
             let found = editor.with_untracked(EditorState::problems);
             let json = serde_json::to_string(&found).unwrap_or_default();
@@ -97,7 +101,8 @@ fn start(
         },
     };
     let (kind, text) = editor.with_untracked(|editor| (editor.kind(), editor.text().to_owned()));
-    element.begin(kind, &text, answers);
+    element.use_words(kind);
+    element.begin(&text, answers);
 }
 
 /// Shows another text when the state has one that was not typed here.
@@ -107,6 +112,7 @@ fn show_text(editor: RwSignal<EditorState>, element: ProgramEditor) {
         let now = counts.get();
         editor.with_untracked(|editor| match before {
             Some((opens, _)) if opens != now.0 => {
+                element.use_words(editor.kind());
                 element.open(editor.text());
                 // They may be at the same lines as before.
                 element.set_breakpoints(editor.breakpoints());

@@ -26,7 +26,7 @@ pub(super) fn EStop(store: Store) -> impl IntoView {
 /// What it means, while it is pressed.
 #[component]
 pub(super) fn EStopNotice(store: Store) -> impl IntoView {
-    let enable = move || store.editor.with(|editor| editor.kind().enable);
+    let enable = move || store.kind().enable;
     let pressed = pressed(store);
     view! {
         <div role="status">

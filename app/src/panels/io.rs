@@ -1,62 +1,143 @@
-//! Inputs and outputs: switches, lamps, and the state of the drive.
+//! Inputs and outputs: switches, knobs, lamps, and the state of the drive.
 
 use leptos::prelude::*;
+use motionbench_core::catalog::{Handle, Range, Wired};
 
-use crate::state::wiring::{self, Drive, INPUTS, OUTPUTS};
-use crate::state::{Device, Store};
+use super::popover::Popover;
+use crate::state::wiring::{self, Drive, Wiring};
+use crate::state::{Device, Store, words};
 
-/// Switches and lamps.
+/// Switches and lamps of the controller on the bench.
 #[component]
 pub(super) fn Io(store: Store) -> impl IntoView {
+    let kind = Memo::new(move |_| store.kind().id);
+    move || {
+        kind.track();
+        let inputs = store
+            .wiring
+            .with_untracked(Wiring::inputs)
+            .iter()
+            .enumerate();
+        let switches = inputs
+            .clone()
+            .filter(|(_, input)| !matches!(input.handle, Handle::Knob(_)))
+            .map(|(place, input)| view! { <Switch store place input /> });
+        let has_knobs = inputs
+            .clone()
+            .any(|(_, input)| input.handle != Handle::Switch);
+        view! {
+            <div class="io" role="group" aria-label="Inputs and outputs">
+                <div class="points">
+                    <h3>"In"<span class="unseen">"puts"</span></h3>
+                    <ul>{switches.collect_view()}</ul>
+                </div>
+                {has_knobs.then(|| view! { <Knobs store /> })}
+                <Lamps store />
+            </div>
+        }
+    }
+}
+
+/// The lamps at the outputs.
+#[component]
+fn Lamps(store: Store) -> impl IntoView {
+    let lamps = untrack(|| store.kind().lamps);
     let lit = Memo::new(move |_| {
         let on = store.device.with(Device::is_on);
-        let image = store.with_scope(|scope| scope.now("outputs"));
+        let image = store.with_scope(|scope| scope.now(lamps.signal));
         image.filter(|_| on).unwrap_or_default()
     });
-    let inputs = (0..INPUTS).map(|input| view! { <Switch store input /> });
-    let outputs = (0..OUTPUTS).map(|output| {
-        let on = Memo::new(move |_| wiring::is_on(lit.get(), output));
+    let lamp = |(bit, label): (u8, &'static str)| {
+        let on = Memo::new(move |_| wiring::is_on(lit.get(), bit));
         view! {
             <li class="point" class:on=on>
-                <span class="bulb" aria-hidden="true">{output}</span>
+                <span class="bulb" aria-hidden="true">{label}</span>
                 <span class="unseen">
-                    {move || format!("output {output} {}", if on.get() { "on" } else { "off" })}
+                    {move || format!("output {label} {}", if on.get() { "on" } else { "off" })}
                 </span>
             </li>
         }
-    });
+    };
     view! {
-        <div class="io" role="group" aria-label="Inputs and outputs">
-            <div class="points">
-                <h3>"In"<span class="unseen">"puts"</span></h3>
-                <ul>{inputs.collect_view()}</ul>
-            </div>
-            <div class="points">
-                <h3>"Out"<span class="unseen">"puts"</span></h3>
-                <ul>{outputs.collect_view()}</ul>
-            </div>
+        <div class="points">
+            <h3>"Out"<span class="unseen">"puts"</span></h3>
+            <ul>{(0..).zip(lamps.labels.iter().copied()).map(lamp).collect_view()}</ul>
         </div>
     }
 }
 
 /// The switch at an input.
 #[component]
-fn Switch(store: Store, input: u8) -> impl IntoView {
-    let on = Memo::new(move |_| store.wiring.with(|wiring| wiring.is_on(input)));
-    let name = wiring::input_name(input);
-    let label = match input {
-        wiring::ENABLE => "Input 12, ENABLE of the drive".to_owned(),
-        _ => format!("Input {input}"),
+fn Switch(store: Store, place: usize, input: &'static Wired) -> impl IntoView {
+    let on = Memo::new(move |_| store.wiring.with(|wiring| wiring.is_on(place)));
+    let switch = move |_| {
+        if let Some(message) = store.wiring.with_untracked(|wiring| wiring.switch(place)) {
+            store.send(message);
+        }
     };
     view! {
         <li>
-            <button type="button" class="point" class:on=on role="switch" aria-label=label
-                aria-checked=move || on.get().to_string()
-                on:click=move |_| store.send(wiring::switch(input, !on.get_untracked()))>
+            <button type="button" class="point" class:on=on role="switch" aria-label=input.name
+                aria-checked=move || on.get().to_string() on:click=switch>
                 <span class="slide" aria-hidden="true"></span>
-                <span aria-hidden="true">{name}</span>
+                <span aria-hidden="true">{input.label}</span>
             </button>
         </li>
+    }
+}
+
+/// What can be turned, in a popover.
+#[component]
+fn Knobs(store: Store) -> impl IntoView {
+    let inputs = store
+        .wiring
+        .with_untracked(Wiring::inputs)
+        .iter()
+        .enumerate();
+    let knobs = inputs.filter_map(|(place, input)| match input.handle {
+        Handle::Switch => None,
+        Handle::Knob(range) | Handle::Pin(range) => Some((place, input, range)),
+    });
+    let knobs: Vec<_> = knobs.collect();
+    view! {
+        <Popover label=|| "Knobs" name="Knobs at the inputs">
+            <div class="knobs">
+                {knobs.iter().map(|&(place, input, range)| view! { <Knob store place input range /> }).collect_view()}
+            </div>
+        </Popover>
+    }
+}
+
+/// A knob with its value.
+#[component]
+fn Knob(store: Store, place: usize, input: &'static Wired, range: Range) -> impl IntoView {
+    let value = Memo::new(move |_| store.wiring.with(|wiring| wiring.value(place)));
+    let turn = move |event| {
+        let turned = event_target_value(&event).parse();
+        let message = turned.ok().and_then(|value| {
+            store
+                .wiring
+                .with_untracked(|wiring| wiring.turn(place, value))
+        });
+        if let Some(message) = message {
+            store.send(message);
+        }
+    };
+    let digits = if range.step < 1.0 { 2 } else { 0 };
+    let said = move || {
+        format!(
+            "{}\u{202f}{}",
+            words::number(value.get(), digits),
+            range.unit
+        )
+    };
+    view! {
+        <label class="knob">
+            <span>{input.name}</span>
+            <input type="range" min=range.from max=range.to step=range.step aria-valuetext=said
+                prop:value=move || value.get() on:input=turn />
+            <span class="figures">{said}</span>
+        </label>
     }
 }
 
@@ -64,9 +145,10 @@ fn Switch(store: Store, input: u8) -> impl IntoView {
 #[component]
 pub(super) fn DriveState(store: Store) -> impl IntoView {
     let drive = Memo::new(move |_| {
+        let enable = store.kind().enable_input;
         let (stopped, enable) = store
             .wiring
-            .with(|w| (w.is_stopped(), w.is_on(wiring::ENABLE)));
+            .with(|w| (w.is_stopped(), enable.is_none_or(|input| w.is_on(input))));
         store.device.with(|device| device.drive(stopped, enable))
     });
     view! {

@@ -4,6 +4,7 @@
 #![allow(unreachable_pub)]
 
 mod axis;
+mod controller;
 mod dialog;
 mod draw;
 mod editor;

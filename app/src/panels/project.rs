@@ -4,6 +4,7 @@ use leptos::ev;
 use leptos::prelude::*;
 use wasm_bindgen_futures::spawn_local;
 
+use super::controller::ControllerChoice;
 use super::dialog::Dialog;
 use crate::clock;
 use crate::state::Store;
@@ -101,6 +102,10 @@ pub(super) fn ProjectMenu(store: Store, keeper: Keeper) -> impl IntoView {
         <Dialog open=is_open title="Project">
             <div class="dialog-body">
                 <Present desk />
+                <div class="labelled narrow-only">
+                    <span aria-hidden="true">"Controller"</span>
+                    <ControllerChoice store keeper />
+                </div>
                 <Said desk />
                 <Versions desk />
             </div>

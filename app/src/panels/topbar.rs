@@ -5,12 +5,12 @@ use leptos::prelude::*;
 use motionbench_core::catalog::FirstStep;
 use web_sys::KeyboardEvent;
 
+use super::controller::ControllerChoice;
 use super::dialog::Dialog;
 use super::estop::EStop;
 use super::frame;
 use super::project::ProjectMenu;
 use crate::protocol::{Speed, ToWorker};
-use crate::state::editor::EditorState;
 use crate::state::keys::{Press, Shortcut, shortcut};
 use crate::state::layout::{Layout, Panel};
 use crate::state::{Device, Store, words};
@@ -31,7 +31,6 @@ const SPEEDS: [(Speed, &str); 8] = [
 /// The top bar.
 #[component]
 pub(super) fn TopBar(store: Store, keeper: Keeper) -> impl IntoView {
-    let name = Memo::new(move |_| store.device.with(|device| device.name.clone()));
     let help = RwSignal::new(false);
     let listener = window_event_listener(ev::keydown, move |event| press(store, &event));
     on_cleanup(move || listener.remove());
@@ -39,7 +38,7 @@ pub(super) fn TopBar(store: Store, keeper: Keeper) -> impl IntoView {
         <header class="topbar">
             <h1 class="brand">"Motion"<span>"bench"</span></h1>
             <ProjectMenu store keeper />
-            <span class="chip controller">{name}</span>
+            <ControllerChoice store keeper />
             <Program store />
             <Power store />
             <SpeedChoice store />
@@ -156,7 +155,7 @@ fn SpeedChoice(store: Store) -> impl IntoView {
 /// What is what, and the keys.
 #[component]
 fn Help(store: Store) -> impl IntoView {
-    let kind = store.editor.with_untracked(EditorState::kind);
+    let kind = store.kind();
     let keys = [
         ("F5", "Run the program"),
         ("Shift+F5", "Stop it, as Ctrl-C in the terminal does"),

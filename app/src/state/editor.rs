@@ -99,6 +99,16 @@ impl EditorState {
         }
     }
 
+    /// From now on the editor is for programs of another kind of controller; a text is to be opened next.
+    pub fn change_kind(&mut self, kind: &'static Kind) {
+        let (opens, takes) = (self.opens, self.takes);
+        *self = EditorState {
+            opens,
+            takes,
+            ..EditorState::new(kind, "")
+        };
+    }
+
     /// The kind of controller that the program is for.
     pub fn kind(&self) -> &'static Kind {
         self.kind

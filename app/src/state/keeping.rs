@@ -4,7 +4,7 @@ use leptos::prelude::*;
 use leptos::reactive::spawn_local_scoped;
 
 use super::Store;
-use super::project::{self, Project, Work};
+use super::project::{Desk, Project, Work};
 use crate::clock;
 use crate::protocol::ToWorker;
 use crate::storage::Keeper;
@@ -37,45 +37,33 @@ impl Store {
     /// Puts a project into a page that has just been opened.
     fn put_back(self, project: Project) {
         let Project { work, device } = project;
-        self.editor
-            .update(|editor| editor.open(&work.text, work.breakpoints));
         self.project_name.set(work.name);
         self.layout.set(work.layout);
-        self.send(ToWorker::Speed(work.speed));
-        self.set_line(work.line);
-        self.kept.set(Some(device.memory.clone()));
-        // What the mains switch clears comes back behind it.
-        if !device.power {
-            self.send(ToWorker::Power(false));
-        }
-        self.send(ToWorker::Restore(device.memory));
+        self.others.set(work.others);
+        self.device.update(|device| device.speed = work.speed);
+        self.put_on_bench(Desk {
+            text: work.text,
+            breakpoints: work.breakpoints,
+            line: work.line,
+            device,
+        });
     }
 
     fn work(self) -> Work {
-        let line = self.device.with_untracked(|device| device.line);
+        let Desk {
+            text,
+            breakpoints,
+            line,
+            ..
+        } = self.desk();
         Work {
             name: self.project_name.get_untracked(),
-            text: self
-                .editor
-                .with_untracked(|editor| editor.text().to_owned()),
-            breakpoints: self
-                .editor
-                .with_untracked(|editor| editor.breakpoints().into_iter().collect()),
-            line: line.unwrap_or(motionbench_core::serial::LineSettings::new(9600)),
+            text,
+            breakpoints,
+            line,
             speed: self.device.with_untracked(|device| device.speed),
             layout: self.layout.get_untracked(),
-        }
-    }
-
-    fn held(self) -> project::Device {
-        project::Device {
-            controller: self
-                .editor
-                .with_untracked(|editor| editor.kind().id.to_owned()),
-            power: self
-                .device
-                .with_untracked(|device| device.status.as_ref().is_none_or(|status| status.power)),
-            memory: self.kept.get_untracked().unwrap_or_default(),
+            others: self.others.get_untracked(),
         }
     }
 
@@ -92,6 +80,7 @@ impl Store {
             text.with(|_| ());
             self.layout.track();
             self.project_name.track();
+            self.others.track();
             if before.is_some() {
                 keeper.work_changed();
             }

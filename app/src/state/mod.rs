@@ -1,6 +1,7 @@
 //! What the page knows, and how that changes: plain data and pure functions. `store` puts it into the page.
 
 pub mod axis;
+mod bench;
 mod console;
 pub mod device;
 pub mod editor;

@@ -8,6 +8,7 @@ mod lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
+use motionbench_core::catalog::kind;
 use motionbench_core::controller::{Memory, MemoryItem};
 use motionbench_core::serial::LineSettings;
 use serde::de::{Deserializer, IgnoredAny};
@@ -15,8 +16,11 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use crate::protocol::Speed;
 
-/// The version that is written. It grows when an older page could not read what a newer one writes.
-pub const VERSION: u32 = 1;
+/// The newest version that is written, where it is needed: for work with several controllers. It grows when an older
+/// page could not read what a newer one writes.
+pub const VERSION: u32 = 2;
+/// What is written for work with one controller.
+const FIRST_VERSION: u32 = 1;
 /// What a project may have as a file, in bytes: every disk full of what takes most room, and a long program.
 pub const LARGEST: usize = 16 << 20;
 /// How the name of its file ends.
@@ -54,6 +58,24 @@ pub struct Work {
     pub speed: Speed,
     /// How the page is laid out.
     pub layout: Layout,
+    /// The work with other controllers, which are not on the bench now.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<Desk>,
+}
+
+/// The work with one controller.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Desk {
+    /// As [`Work::text`].
+    #[serde(with = "lines")]
+    pub text: String,
+    /// As [`Work::breakpoints`].
+    pub breakpoints: BTreeSet<u32>,
+    /// As [`Work::line`].
+    pub line: LineSettings,
+    /// What it holds.
+    pub device: Device,
 }
 
 /// How the page is laid out, by the panels' own names.
@@ -107,7 +129,7 @@ impl fmt::Display for ProjectError {
             ProjectError::NotAProject => write!(f, "This is not a Motionbench project."),
             ProjectError::Newer(version) => write!(
                 f,
-                "This project was written by a newer Motionbench: it has version {version} of the format, and this page reads version {VERSION}."
+                "This project was written by a newer Motionbench: it has version {version} of the format, and this page reads versions up to {VERSION}."
             ),
             ProjectError::Broken(what) => write!(f, "This project cannot be read: {what}."),
         }
@@ -146,7 +168,7 @@ impl Project {
     pub fn file(&self) -> String {
         let written = Written {
             format: FORMAT,
-            version: VERSION,
+            version: self.work.version(),
             work: &self.work,
             device: &self.device,
         };
@@ -175,7 +197,7 @@ impl Project {
         if header.format != FORMAT {
             return Err(ProjectError::NotAProject);
         }
-        if header.version != VERSION {
+        if !(FIRST_VERSION..=VERSION).contains(&header.version) {
             return Err(ProjectError::Newer(header.version));
         }
         let Read { work, device, .. } = serde_json::from_str(text).map_err(broken)?;
@@ -199,12 +221,22 @@ impl Project {
     /// What the types allow and a page cannot use, in words.
     fn check(&self) -> Result<(), String> {
         let Project { work, device } = self;
-        let (line, layout) = (&work.line, &work.layout);
-        if !(50..=1_000_000).contains(&line.baud)
-            || !(7..=8).contains(&line.data_bits)
-            || !(1..=2).contains(&line.stop_bits)
-        {
+        let layout = &work.layout;
+        let others = || work.others.iter().map(|desk| &desk.device);
+        let lines = work.others.iter().map(|desk| &desk.line);
+        if !lines.chain([&work.line]).all(can_be_set) {
             return Err("no serial line can be set like its line".to_owned());
+        }
+        let controllers: Vec<&str> = others()
+            .chain([device])
+            .map(|device| device.controller.as_str())
+            .collect();
+        if let Some(unknown) = controllers.iter().find(|id| kind(id).is_none()) {
+            let start: String = unknown.chars().take(20).collect();
+            return Err(format!("there is no controller {start}"));
+        }
+        if BTreeSet::from_iter(&controllers).len() < controllers.len() {
+            return Err("it has a controller twice".to_owned());
         }
         if let Speed::Times(times) = work.speed
             && !(0.01..=100.0).contains(&times)
@@ -216,13 +248,17 @@ impl Project {
             .keys()
             .chain(&layout.folded)
             .chain(&layout.shown);
-        let items = &device.memory.items;
-        let names: Vec<&String> = [&work.name, &device.controller]
+        let items = others()
+            .chain([device])
+            .flat_map(|device| &device.memory.items);
+        let names: Vec<&String> = [&work.name]
             .into_iter()
             .chain(panels)
-            .chain(items.iter().map(|item| &item.name))
+            .chain(items.map(|item| &item.name))
             .collect();
-        if names.len() > MOST || work.breakpoints.len() > MOST {
+        let desks = work.others.iter().map(|desk| desk.breakpoints.len());
+        let breakpoints = work.breakpoints.len() + desks.sum::<usize>();
+        if names.len() > MOST || breakpoints > MOST {
             return Err(format!("it has more than {MOST} names or breakpoints"));
         }
         let long = names
@@ -237,6 +273,23 @@ impl Project {
     }
 }
 
+fn can_be_set(line: &LineSettings) -> bool {
+    (50..=1_000_000).contains(&line.baud)
+        && (7..=8).contains(&line.data_bits)
+        && (1..=2).contains(&line.stop_bits)
+}
+
+impl Work {
+    /// The version of the format that has all of it.
+    fn version(&self) -> u32 {
+        if self.others.is_empty() {
+            FIRST_VERSION
+        } else {
+            VERSION
+        }
+    }
+}
+
 /// The text of `device` for [`kept`]: it changes less often than the rest, and may be long.
 pub fn kept_device(device: &Device) -> String {
     serde_json::to_string(device).unwrap_or_default()
@@ -244,8 +297,9 @@ pub fn kept_device(device: &Device) -> String {
 
 /// The text of a project without the blanks for people.
 pub fn kept(work: &Work, device: &str) -> String {
+    let version = work.version();
     let work = serde_json::to_string(work).unwrap_or_default();
-    format!(r#"{{"format":"{FORMAT}","version":{VERSION},"work":{work},"device":{device}}}"#)
+    format!(r#"{{"format":"{FORMAT}","version":{version},"work":{work},"device":{device}}}"#)
 }
 
 #[derive(Serialize, Deserialize)]

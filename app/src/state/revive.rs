@@ -99,7 +99,8 @@ impl Store {
 
     /// Starts a worker; the one before it, if any, ends.
     pub(super) fn start_worker(self) {
-        let client = Client::start(move |news| self.hear(&news));
+        let kind = untrack(|| self.kind().id);
+        let client = Client::start(kind, move |news| self.hear(&news));
         let before = self.client.try_update_value(|held| held.replace(client));
         if let Some(Some(before)) = before {
             before.end();

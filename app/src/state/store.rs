@@ -3,12 +3,12 @@
 //! What was printed and what was recorded stay out of the reactive graph; it carries only the news that there is more.
 
 use leptos::prelude::*;
-use motionbench_core::catalog::KINDS;
+use motionbench_core::catalog::{KINDS, Kind};
 use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
 
 use super::editor::EditorState;
-use super::project::Layout;
+use super::project::{Desk, Layout};
 use super::revive::Health;
 use super::scope::Scope;
 use super::terminal::Terminal;
@@ -48,9 +48,13 @@ pub struct Store {
     pub kept: RwSignal<Option<Memory>>,
     /// The project's name.
     pub project_name: RwSignal<String>,
+    /// The work with other controllers of the project, which are not on the bench now.
+    pub others: RwSignal<Vec<Desk>>,
     /// Something that the user should know, until it is put away.
     pub notice: RwSignal<Option<&'static str>>,
-    terminal: StoredValue<Terminal, LocalStorage>,
+    pub(super) terminal: StoredValue<Terminal, LocalStorage>,
+    /// What the user wants on the bench instead of what is there.
+    pub(super) chosen_kind: StoredValue<Option<&'static Kind>>,
     scope: StoredValue<Scope, LocalStorage>,
     pub(super) client: StoredValue<Option<Client>, LocalStorage>,
     pub(super) health: StoredValue<Health>,
@@ -74,7 +78,7 @@ impl Store {
             typing: RwSignal::new(false),
             editing: RwSignal::new(false),
             printed: RwSignal::new(0),
-            wiring: RwSignal::default(),
+            wiring: RwSignal::new(Wiring::new(&KINDS[0])),
             chosen: RwSignal::new(0),
             recorded: RwSignal::new(0),
             editor: RwSignal::new(EditorState::new(&KINDS[0], KINDS[0].first_program)),
@@ -82,7 +86,9 @@ impl Store {
             refusal: RwSignal::new(None),
             kept: RwSignal::new(None),
             project_name: RwSignal::new("My project".to_owned()),
+            others: RwSignal::default(),
             notice: RwSignal::new(None),
+            chosen_kind: StoredValue::new(None),
             health: StoredValue::new(Health::default()),
             terminal: StoredValue::new_local(Terminal::default()),
             scope: StoredValue::new_local(Scope::default()),
@@ -181,5 +187,8 @@ impl Store {
             News::Fault(_) => {}
         }
         self.device.update(|device| device.hear(news));
+        if matches!(news, News::Frame(..)) {
+            self.change_over();
+        }
     }
 }

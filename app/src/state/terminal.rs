@@ -156,6 +156,15 @@ impl Terminal {
             .collect()
     }
 
+    /// Shows nothing, as a new one of the same size.
+    pub fn reset(&mut self) {
+        let (columns, rows) = self.emulator.size();
+        let changes = self.changes + 1;
+        *self = Terminal::default();
+        self.resize(columns, rows);
+        self.changes = changes;
+    }
+
     /// Goes to a new line where something stands in this one: what is printed next belongs to another start.
     pub fn on_new_line(&mut self) {
         let column = self.emulator.cursor().position().map(|(column, _)| column);

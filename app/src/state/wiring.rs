@@ -1,35 +1,43 @@
-//! What is wired to the controller: switches at its inputs, lamps at its outputs, the emergency stop of the machine.
+//! What is wired to the controller: switches and knobs at its inputs, lamps at its outputs, the emergency stop of the
+//! machine.
+
+use motionbench_core::catalog::{Handle, Kind, Wired};
 
 use crate::protocol::ToWorker;
 
-/// Inputs of the controller, by number; the last is the drive's ENABLE.
-pub const INPUTS: u8 = 13;
-/// The input that lets the drive be enabled.
-pub const ENABLE: u8 = 12;
-/// Outputs of the controller.
-pub const OUTPUTS: u8 = 10;
-
-/// How the switches stand. They are outside the controller: the mains switch and a simulator that starts again leave
-/// them as they are.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// How the switches and knobs stand. They are outside the controller: the mains switch and a simulator that starts again
+/// leave them as they are.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Wiring {
-    inputs: u32,
+    inputs: &'static [Wired],
+    values: Vec<f64>,
     estop: bool,
 }
 
-impl Default for Wiring {
-    fn default() -> Wiring {
+impl Wiring {
+    /// A new bench for a controller.
+    pub fn new(kind: &Kind) -> Wiring {
         Wiring {
-            inputs: 1 << ENABLE,
+            inputs: kind.inputs,
+            values: kind.inputs.iter().map(|input| input.at).collect(),
             estop: false,
         }
     }
-}
 
-impl Wiring {
-    /// Whether the switch of an input is on.
-    pub fn is_on(&self, input: u8) -> bool {
-        bit(self.inputs, input)
+    /// What there is at the inputs.
+    pub fn inputs(&self) -> &'static [Wired] {
+        self.inputs
+    }
+
+    /// How an input stands.
+    pub fn value(&self, input: usize) -> f64 {
+        self.values.get(input).copied().unwrap_or_default()
+    }
+
+    /// Whether an input is on: nearer to its upper end.
+    pub fn is_on(&self, input: usize) -> bool {
+        let ends = self.inputs.get(input).map(|input| ends(input.handle));
+        ends.is_some_and(|(from, to)| self.value(input) > 0.5 * (from + to))
     }
 
     /// Whether the emergency stop is pressed.
@@ -37,14 +45,30 @@ impl Wiring {
         self.estop
     }
 
+    /// The message that switches an input over.
+    pub fn switch(&self, input: usize) -> Option<ToWorker> {
+        let (from, to) = ends(self.inputs.get(input)?.handle);
+        self.turn(input, if self.is_on(input) { from } else { to })
+    }
+
+    /// The message that sets an input.
+    pub fn turn(&self, input: usize, value: f64) -> Option<ToWorker> {
+        let wired = self.inputs.get(input)?;
+        let (from, to) = ends(wired.handle);
+        Some(ToWorker::Wire {
+            name: wired.wire.to_owned(),
+            value: value.clamp(from, to),
+        })
+    }
+
     /// Takes in what is sent to the worker.
     pub fn hear(&mut self, message: &ToWorker) {
         match message {
             ToWorker::EmergencyStop(pressed) => self.estop = *pressed,
             ToWorker::Wire { name, value } => {
-                if let Some(input) = (0..INPUTS).find(|input| *name == wire(*input)) {
-                    let on = u32::from(*value != 0.0);
-                    self.inputs = self.inputs & !(1 << input) | on << input;
+                let place = self.inputs.iter().position(|input| input.wire == name);
+                if let Some(held) = place.and_then(|place| self.values.get_mut(place)) {
+                    *held = *value;
                 }
             }
             _ => {}
@@ -53,10 +77,10 @@ impl Wiring {
 
     /// What a simulator that has just started must be told.
     pub fn differences(&self) -> Vec<ToWorker> {
-        let fresh = Wiring::default();
-        let mut messages: Vec<ToWorker> = (0..INPUTS)
-            .filter(|&input| self.is_on(input) != fresh.is_on(input))
-            .map(|input| switch(input, self.is_on(input)))
+        let stands = self.inputs.iter().zip(&self.values).enumerate();
+        let mut messages: Vec<ToWorker> = stands
+            .filter(|(_, (input, value))| input.at != **value)
+            .filter_map(|(place, (_, value))| self.turn(place, *value))
             .collect();
         if self.estop {
             messages.push(ToWorker::EmergencyStop(true));
@@ -65,33 +89,16 @@ impl Wiring {
     }
 }
 
-/// The message that puts the switch of an input on or off.
-pub fn switch(input: u8, on: bool) -> ToWorker {
-    ToWorker::Wire {
-        name: wire(input),
-        value: f64::from(u8::from(on)),
+fn ends(handle: Handle) -> (f64, f64) {
+    match handle {
+        Handle::Switch => (0.0, 1.0),
+        Handle::Knob(range) | Handle::Pin(range) => (range.from, range.to),
     }
-}
-
-fn wire(input: u8) -> String {
-    format!("in{input}")
 }
 
 /// Whether a bit of a recorded image of inputs or outputs is on.
 pub fn is_on(image: f64, number: u8) -> bool {
-    bit(image as u32, number)
-}
-
-fn bit(image: u32, number: u8) -> bool {
-    image & 1 << number != 0
-}
-
-/// What an input is called.
-pub fn input_name(input: u8) -> String {
-    match input {
-        ENABLE => "ENABLE".to_owned(),
-        _ => input.to_string(),
-    }
+    image as u32 & 1 << number != 0
 }
 
 /// The numbers of the bits that are on, for people.
@@ -136,39 +143,75 @@ impl Drive {
 
 #[cfg(test)]
 mod tests {
+    use motionbench_core::catalog::{KINDS, Range};
+
     use super::*;
+
+    fn wiring() -> Wiring {
+        Wiring::new(&KINDS[0])
+    }
 
     #[test]
     fn a_simulator_that_starts_again_finds_the_switches_as_they_are() {
-        let mut wiring = Wiring::default();
+        let mut wiring = wiring();
+        let enable = KINDS[0].enable_input.unwrap();
         assert!(wiring.differences().is_empty());
-        for message in [
-            switch(3, true),
-            switch(ENABLE, false),
-            switch(4, true),
-            switch(4, false),
-            ToWorker::EmergencyStop(true),
-        ] {
+        for input in [3, enable, 4, 4] {
+            let message = wiring.switch(input).unwrap();
             wiring.hear(&message);
         }
-        assert!(wiring.is_on(3) && !wiring.is_on(4) && !wiring.is_on(ENABLE));
+        wiring.hear(&ToWorker::EmergencyStop(true));
+        assert!(wiring.is_on(3) && !wiring.is_on(4) && !wiring.is_on(enable));
         assert!(wiring.is_stopped());
+        let wire = |name: &str, value| ToWorker::Wire {
+            name: name.to_owned(),
+            value,
+        };
         let expected = [
-            switch(3, true),
-            switch(ENABLE, false),
+            wire("in3", 1.0),
+            wire("in12", 0.0),
             ToWorker::EmergencyStop(true),
         ];
         assert_eq!(wiring.differences(), expected);
     }
 
     #[test]
+    fn a_pin_is_switched_and_turned() {
+        const PIN: [Wired; 1] = [Wired {
+            label: "A",
+            name: "Pin A",
+            wire: "UAA",
+            handle: Handle::Pin(Range {
+                from: 0.0,
+                to: 5.0,
+                step: 0.1,
+                unit: "V",
+            }),
+            at: 5.0,
+        }];
+        let mut wiring = Wiring {
+            inputs: &PIN,
+            values: vec![5.0],
+            estop: false,
+        };
+        assert!(wiring.is_on(0));
+        wiring.hear(&wiring.clone().switch(0).unwrap());
+        assert!(!wiring.is_on(0));
+        wiring.hear(&wiring.clone().turn(0, 9.0).unwrap());
+        assert_eq!(wiring.value(0), 5.0);
+        wiring.hear(&wiring.clone().turn(0, 1.5).unwrap());
+        assert!(!wiring.is_on(0));
+        assert_eq!(wiring.differences().len(), 1);
+    }
+
+    #[test]
     fn a_wire_that_is_no_input_changes_no_switch() {
-        let mut wiring = Wiring::default();
-        wiring.hear(&ToWorker::Wire {
+        let mut wired = wiring();
+        wired.hear(&ToWorker::Wire {
             name: "in31".to_owned(),
             value: 1.0,
         });
-        assert_eq!(wiring, Wiring::default());
+        assert_eq!(wired, wiring());
     }
 
     #[test]

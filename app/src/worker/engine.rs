@@ -52,12 +52,12 @@ pub struct Report {
 }
 
 impl Engine {
-    /// An MC-600, switched on.
+    /// A controller of the kind called `kind`, switched on.
     ///
     /// # Errors
-    /// One clear line, if the catalogue does not have it.
-    pub fn new() -> Result<Engine, String> {
-        let kind = catalog::kind("mc600").ok_or("there is no controller mc600")?;
+    /// One clear line, if there is no such kind.
+    pub fn new(kind: &str) -> Result<Engine, String> {
+        let kind = catalog::kind(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
         let station = (kind.create)(&[])?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();

@@ -29,7 +29,8 @@ const QUIET_FRAME_MS: f64 = 100.0;
 
 /// Starts to serve the page; returns at once, the browser calls back.
 pub fn start() {
-    let Ok(engine) = Engine::new() else {
+    let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
+    let Ok(engine) = Engine::new(&scope.name()) else {
         wasm_bindgen::throw_str("the bench cannot be set up");
     };
     let Ok(channel) = MessageChannel::new() else {

@@ -29,6 +29,7 @@ mod symbols;
 pub mod sysvars;
 mod value;
 mod vm;
+pub mod wiring;
 
 use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};

@@ -6,7 +6,7 @@ use leptos::wasm_bindgen::prelude::*;
 use motionbench_core::catalog::Kind;
 use web_sys::HtmlElement;
 
-use crate::state::editor::lines::{CLASSES, Edit, highlights};
+use crate::state::editor::lines::{CLASSES, Edit};
 
 #[wasm_bindgen]
 extern "C" {
@@ -57,7 +57,9 @@ extern "C" {
 }
 
 /// What the element asks and tells.
-pub(super) struct Answers<P, E, C, T> {
+pub(super) struct Answers<H, P, E, C, T> {
+    /// The parts of a line, as [`crate::state::editor::lines::highlights`] gives them.
+    pub(super) highlight: H,
     /// What is wrong with the text, as JSON.
     pub(super) problems: P,
     /// The user changed the text.
@@ -74,19 +76,23 @@ impl ProgramEditor {
         js_sys::Reflect::has(self, &"start".into()).unwrap_or(false)
     }
 
-    /// Shows the editor for programs of a kind of controller. The answers stay as long as the page does.
-    pub(super) fn begin<P, E, C, T>(
-        &self,
-        kind: &'static Kind,
-        text: &str,
-        answers: Answers<P, E, C, T>,
-    ) where
+    /// The words of a kind of controller, from the next text that is shown.
+    pub(super) fn use_words(&self, kind: &Kind) {
+        let words = serde_json::to_string(&(kind.keywords)()).unwrap_or_default();
+        self.set_words(&parsed(&words));
+    }
+
+    /// Shows the editor with a text, after [`ProgramEditor::use_words`]. The answers stay as long as the page does.
+    pub(super) fn begin<H, P, E, C, T>(&self, text: &str, answers: Answers<H, P, E, C, T>)
+    where
+        H: Fn(&str) -> Vec<u32> + 'static,
         P: Fn() -> String + 'static,
         E: Fn(String, Vec<Edit>) + 'static,
         C: Fn(u32) + 'static,
         T: Fn(u32) + 'static,
     {
         let Answers {
+            highlight,
             problems,
             edited,
             cursor,
@@ -94,10 +100,7 @@ impl ProgramEditor {
         } = answers;
         self.set_label("Program");
         self.set_classes(CLASSES.map(str::to_owned).to_vec());
-        self.set_words(&parsed(
-            &serde_json::to_string(&(kind.keywords)()).unwrap_or_default(),
-        ));
-        let highlight = move |line: String| Uint32Array::from(highlights(kind, &line).as_slice());
+        let highlight = move |line: String| Uint32Array::from(highlight(&line).as_slice());
         self.set_highlight(&function(Closure::<dyn Fn(String) -> Uint32Array>::new(
             highlight,
         )));

@@ -20,6 +20,7 @@ fn project() -> Project {
                 folded: BTreeSet::from(["machine".to_owned()]),
                 shown: Some("terminal".to_owned()),
             },
+            others: Vec::new(),
         },
         device: Device {
             controller: "mc600".to_owned(),
@@ -107,6 +108,31 @@ fn nothing_is_lost_on_the_way_through_a_file_or_the_browser() {
     assert_eq!(Project::read(&kept), Ok(project));
 }
 
+/// Of version 2, with work for another controller. There is one kind so far, so its name stands for the other's.
+#[test]
+fn work_with_several_controllers_needs_version_2() {
+    let mut project = project();
+    project.work.others.push(Desk {
+        text: "10 END".to_owned(),
+        breakpoints: BTreeSet::new(),
+        line: LineSettings::new(1200),
+        device: project.device.clone(),
+    });
+    let file = project.file();
+    assert!(file.contains("\"version\": 2,\n  \"work\""), "{file}");
+    let twice = Project::read(&file).unwrap_err().to_string();
+    assert_eq!(
+        twice,
+        "This project cannot be read: it has a controller twice."
+    );
+    let other = file.replacen("\"mc600\"", "\"abacus\"", 1);
+    let unknown = Project::read(&other).unwrap_err().to_string();
+    assert_eq!(
+        unknown,
+        "This project cannot be read: there is no controller abacus."
+    );
+}
+
 #[test]
 fn a_text_may_stand_on_one_line() {
     let text = r#"["10 REM \u00dc\r\n", "20 END\r\n"]"#;
@@ -130,7 +156,7 @@ fn what_is_wrong_is_said() {
     let errors = [
         (
             changed("\"version\": 1,\n  \"work\"", "\"version\": 7,\n  \"work\""),
-            "This project was written by a newer Motionbench: it has version 7 of the format, and this page reads version 1.",
+            "This project was written by a newer Motionbench: it has version 7 of the format, and this page reads versions up to 2.",
         ),
         (
             changed("motionbench project", "shopping list"),

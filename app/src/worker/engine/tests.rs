@@ -16,7 +16,7 @@ fn text(text: &str) -> ToWorker {
 }
 
 fn bench() -> Engine {
-    let mut engine = Engine::new().unwrap();
+    let mut engine = Engine::new("mc600").unwrap();
     let printed = after(&mut engine, &[], 500).console;
     assert!(printed.ends_with('>'), "{printed:?}");
     engine
