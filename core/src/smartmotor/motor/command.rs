@@ -32,7 +32,7 @@ pub enum Command {
     BrakePin(Option<Port>),
     /// `LIMD`: a limit stops motion in its own direction only.
     LimitsDirectional,
-    /// `LIMN`: a limit stops motion in both directions.
+    /// `LIMN`: a limit that becomes active stops motion in the other direction too.
     LimitsNondirectional,
     /// `LIMH`: a limit is active while its input is high.
     LimitsHigh,
@@ -90,12 +90,12 @@ pub enum Brake {
     Released,
     /// `BRKSRV`: on while the motor is off.
     Servo,
-    /// `BRKTRJ`: on while there is no trajectory; the motor is off with it.
+    /// `BRKTRJ`: on while there is no trajectory.
     Trajectory,
 }
 
 /// Words of one meaning; pins (`UAI`, `UAO`) are made of the port's.
-const WORDS: [(&str, Command); 52] = [
+const WORDS: [(&str, Command); 49] = [
     ("G", Command::Go),
     ("X", Command::Decelerate),
     ("S", Command::StopNow),
@@ -140,9 +140,6 @@ const WORDS: [(&str, Command); 52] = [
     ("ZS", Command::ClearAll),
     ("Za", Command::Clear(Flag::OverCurrent)),
     ("Zd", Command::Clear(Flag::MathOverflow)),
-    ("Ze", Command::Clear(Flag::PositionError)),
-    ("Zh", Command::Clear(Flag::Overheat)),
-    ("Zk", Command::Clear(Flag::Checksum)),
     ("Zl", Command::Clear(Flag::LeftLimit)),
     ("Zr", Command::Clear(Flag::RightLimit)),
     ("Zs", Command::Clear(Flag::Syntax)),

@@ -19,7 +19,7 @@ pub enum Register {
     Torque,
     /// `E`: largest position error in counts.
     ErrorLimit,
-    /// `O`: the commanded position becomes this; write only.
+    /// `O`: the actual position becomes this; write only.
     Origin,
     /// `AMPS`: limit of the output, 0 to 1023.
     Amps,
@@ -33,7 +33,7 @@ pub enum Register {
     Supply,
     /// `@P`: actual position in counts.
     ActualPosition,
-    /// `@V`: measured velocity, counts/sample x 65536.
+    /// `@V`: velocity of the trajectory, without one that of the motor; counts/sample x 65536 (D176).
     ActualVelocity,
     /// `@PE`: position error in counts, commanded minus actual.
     PositionError,
