@@ -48,7 +48,7 @@ pub struct Signals {
     /// Bit n is the level of pin n, UA first, as a program reads it.
     pub pins: u32,
     /// The status word.
-    pub status: u32,
+    pub status: f64,
 }
 
 impl Motor {
@@ -139,8 +139,8 @@ impl Motor {
     /// for a counter that stands is rest.
     pub fn is_moving(&self) -> bool {
         let turns = self.plant.velocity().abs() > STANDSTILL;
-        let torque_to_spare = self.output.abs() < self.settings.amps;
-        let settles = self.error() != 0 && torque_to_spare && !self.braked && !self.broken.shaft;
+        let works = self.filter.is_winding() && self.output.abs() < self.settings.amps;
+        let settles = self.error() != 0 && works && !self.braked && !self.broken.shaft;
         self.trajectory.is_under_way() || turns || settles
     }
 
@@ -182,7 +182,7 @@ impl Motor {
             shaft: self.plant.position(),
             counter: self.counter.count() as f64,
             pins: u32::from(self.pins.levels()),
-            status: u32::from(self.status()),
+            status: f64::from(self.status()),
         }
     }
 }

@@ -156,7 +156,9 @@ impl Filter {
             self.last_error = error;
         }
         let before = self.sum;
-        self.sum += error * i64::from(divisor);
+        if ki != 0 {
+            self.sum += error * i64::from(divisor);
+        }
         let most = i64::from(kl) << INTEGRAL_FRACTION;
         let mut integral = i64::from(ki) * self.sum;
         if integral.abs() > most {
@@ -175,6 +177,13 @@ impl Filter {
             self.sum = before;
         }
         i32::try_from(output.clamp(-limit, limit)).unwrap_or(0)
+    }
+
+    /// Whether the integral still works on an error.
+    pub fn is_winding(&self) -> bool {
+        let Gains { ki, kl, .. } = self.gains;
+        let given = i64::from(ki) * self.sum;
+        ki != 0 && given.abs() < i64::from(kl) << INTEGRAL_FRACTION
     }
 
     fn feed_forward(&self, demand: &Demand) -> i64 {

@@ -1,7 +1,7 @@
 //! Everything behind the SmartMotor's interpreter: trajectory, filter, amplifier, motor, limits, brake, pins, encoders.
 //!
 //! The interpreter sees numbers ([`Register`]), orders ([`Command`]) and the status word ([`Flag`]); the bench sees
-//! wires, faults, mechanics and [`Signals`] (`bench`). A sample reads from the outside in: `counter` and `ports`, then
+//! wires, faults, mechanics and [`Signals`] (`bench`). Registers are in `settings`, commands in `orders`. A sample reads from the outside in: `counter` and `ports`, then
 //! `servo` with `trajectory` (`follow`, `stream`) and `filter`, then the plant and the `amplifier` that heats.
 
 mod amplifier;
@@ -10,9 +10,11 @@ pub mod command;
 mod counter;
 mod filter;
 mod follow;
+mod orders;
 pub mod ports;
 pub mod register;
 mod servo;
+mod settings;
 pub mod status;
 mod stream;
 #[cfg(test)]
@@ -29,10 +31,10 @@ use crate::plant::{PlantAxis, presets};
 use crate::time::Nanos;
 use amplifier::Amplifier;
 use bench::Broken;
-use counter::{Counter, Counting};
-use filter::{FULL, Filter};
-use follow::{Cam, Ratio};
+use counter::Counter;
+use filter::Filter;
 use ports::Pins;
+use settings::{Buffered, Settings};
 use stream::Stream;
 use trajectory::Trajectory;
 
@@ -42,13 +44,6 @@ pub const SAMPLE: Nanos = Nanos(245_760);
 const PERIOD: f64 = 245.76e-6;
 /// Edges a revolution of the encoder.
 pub const COUNTS_PER_REVOLUTION: u32 = 2000;
-
-/// `E` at power-up.
-const ERROR_LIMIT: i32 = 1000;
-/// `TH` at power-up, in °C.
-const TRIP_TEMPERATURE: i32 = 70;
-/// `BASE` at power-up: a turn of the encoder outside.
-const CAM_BASE: i32 = 2000;
 
 /// `F` bit 0: a limit decelerates the motor instead of switching it off.
 const DECELERATE_AT_LIMIT: i32 = 1;
@@ -84,35 +79,6 @@ enum Drive {
     Torque,
     /// Follows the trajectory.
     Servo,
-}
-
-/// What a program has set and G starts with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Buffered {
-    acceleration: i32,
-    velocity: i32,
-    position: i32,
-    distance: i32,
-    /// D was set last, not P.
-    relative: bool,
-    mode: ModeWord,
-    multiplier: i16,
-    divisor: i16,
-    base: i32,
-    size: i32,
-}
-
-/// What a program has set and acts at once.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Settings {
-    torque: i32,
-    error_limit: i32,
-    amps: i32,
-    trip_temperature: i32,
-    functions: i32,
-    brake: Brake,
-    /// LIMD.
-    directional: bool,
 }
 
 /// The motor, its amplifier and its load.
@@ -211,6 +177,7 @@ impl Motor {
     pub fn power_off(&mut self) {
         self.switch_off();
         self.powered = false;
+        self.limits = (false, false);
         self.pins.reset();
         self.counter.reset();
     }
@@ -256,259 +223,6 @@ impl Motor {
             self.drive = Drive::Servo;
         }
         true
-    }
-
-    /// The value of a register, without any effect. A register that is only set reads 0.
-    pub fn get(&self, register: Register) -> i32 {
-        if let Some(gain) = self.filter.buffered.get(register) {
-            return gain;
-        }
-        let Buffered {
-            acceleration,
-            velocity,
-            position,
-            distance,
-            multiplier,
-            divisor,
-            base,
-            size,
-            ..
-        } = self.buffered;
-        let torque = self.plant.torque();
-        match register {
-            Register::Acceleration => acceleration,
-            Register::Velocity => velocity,
-            Register::Position => position,
-            Register::Distance => distance,
-            Register::Torque => self.settings.torque,
-            Register::ErrorLimit => self.settings.error_limit,
-            Register::Amps => self.settings.amps,
-            Register::TripTemperature => self.settings.trip_temperature,
-            Register::Temperature => self.amplifier.degrees(),
-            Register::Current => amplifier::current_reading(torque),
-            Register::Supply => amplifier::supply_reading(torque),
-            Register::ActualPosition => self.reading(self.count),
-            Register::ActualVelocity => saturate(self.velocity()),
-            Register::PositionError => saturate(self.error()),
-            Register::Index => self.reading(self.index),
-            Register::Counter => wrap(self.counter.count()),
-            Register::Clock => self.tick_register().wrapping_sub(self.clock),
-            Register::FollowMultiplier => i32::from(multiplier),
-            Register::FollowDivisor => i32::from(divisor),
-            Register::CamBase => base,
-            Register::CamSize => size,
-            Register::Functions => self.settings.functions,
-            Register::Pin(port) => i32::from(self.pins.level(port)),
-            Register::Analog(port) => self.pins.analog(port),
-            _ => 0,
-        }
-    }
-
-    /// The value of a register as a program reads it: I gives up the captured index, so that the next is captured.
-    pub fn read(&mut self, register: Register) -> i32 {
-        if register == Register::Index {
-            self.status &= !Flag::IndexCaptured.mask();
-        }
-        self.get(register)
-    }
-
-    /// Sets a register; what is out of range is limited to it. One that cannot be set stays as it is, as MFDIV does
-    /// when it is given 0.
-    pub fn set(&mut self, register: Register, value: i32) {
-        if self.filter.buffered.set(register, value) {
-            return;
-        }
-        let buffered = &mut self.buffered;
-        let settings = &mut self.settings;
-        match register {
-            Register::Acceleration => buffered.acceleration = value.max(0),
-            Register::Velocity => buffered.velocity = value,
-            Register::Position => (buffered.position, buffered.relative) = (value, false),
-            Register::Distance => (buffered.distance, buffered.relative) = (value, true),
-            Register::FollowMultiplier => buffered.multiplier = short(value),
-            Register::FollowDivisor if value != 0 => buffered.divisor = short(value),
-            Register::CamBase => buffered.base = value.clamp(1, Cam::LONGEST),
-            Register::CamSize => buffered.size = value.clamp(1, Cam::MOST),
-            Register::Torque => settings.torque = value.clamp(-FULL, FULL),
-            Register::ErrorLimit => settings.error_limit = value.clamp(0, 32_767),
-            Register::Amps => settings.amps = value.clamp(0, FULL),
-            Register::TripTemperature => settings.trip_temperature = value.clamp(0, 85),
-            Register::Functions => settings.functions = value,
-            Register::Origin => self.set_origin(value),
-            Register::Clock => self.set_clock(value),
-            Register::Pin(port) => self.pins.write(port, value & 1 != 0),
-            _ => {}
-        }
-    }
-
-    /// The actual position reads `value` from now on; no one moves.
-    fn set_origin(&mut self, value: i32) {
-        self.stream
-            .renumber(value.wrapping_sub(self.reading(self.count)));
-        self.origin = i64::from(value) - self.count;
-        self.round = 0;
-    }
-
-    fn set_clock(&mut self, value: i32) {
-        self.clock = self.tick_register().wrapping_sub(value);
-    }
-
-    #[allow(clippy::cast_possible_truncation)] // CLK wraps at 32 bits
-    fn tick_register(&self) -> i32 {
-        self.ticks as i32
-    }
-
-    /// Carries out a command. What cannot be, because the motor is too hot or something is broken, is ignored.
-    pub fn command(&mut self, command: Command) {
-        match command {
-            Command::Go => self.go(),
-            Command::Decelerate => self.decelerate(),
-            Command::StopNow => self.stop_now(),
-            Command::Off => self.switch_off(),
-            Command::Mode(mode) => self.choose(mode),
-            Command::LoadFilter => self.filter.load(),
-            Command::GravityOn => self.filter.gravity = true,
-            Command::GravityOff => self.filter.gravity = false,
-            Command::ServoDivisor(divisor) => self.divisor = divisor.clamp(1, 8),
-            Command::Brake(brake) => self.settings.brake = brake,
-            Command::BrakePin(port) => self.pins.brake_by(port),
-            Command::LimitsDirectional => self.settings.directional = true,
-            Command::LimitsNondirectional => self.settings.directional = false,
-            Command::LimitsHigh => self.pins.limits_high = true,
-            Command::LimitsLow => self.pins.limits_high = false,
-            Command::Input(port) => {
-                self.uncount(port);
-                self.pins.make_input(port);
-            }
-            Command::Output(port) => {
-                self.uncount(port);
-                self.pins.make_output(port);
-            }
-            Command::RightLimit => self.pins.make_special(Port::C),
-            Command::LeftLimit => self.pins.make_special(Port::D),
-            Command::GoInput => {
-                // A pin that is low already is no start.
-                self.go = true;
-                self.pins.make_special(Port::G);
-            }
-            Command::ClearAll => self.status &= !LATCHED,
-            Command::Clear(flag) => self.status &= !(flag.mask() & LATCHED),
-        }
-    }
-
-    /// UA and UB become the counter's.
-    fn count_by(&mut self, counting: Counting) {
-        self.pins.make_input(Port::A);
-        self.pins.make_input(Port::B);
-        self.counter.count_by(counting);
-    }
-
-    /// A pin that becomes plain no longer counts.
-    fn uncount(&mut self, port: Port) {
-        if matches!(port, Port::A | Port::B) {
-            self.counter.count_by(Counting::Stopped);
-        }
-    }
-
-    /// A mode word: what the next G starts. MT acts at once, and those that count do from now on.
-    fn choose(&mut self, mode: ModeWord) {
-        match mode {
-            ModeWord::Count => {
-                self.count_by(Counting::Quadrature(4));
-                self.counter.zero();
-                return;
-            }
-            ModeWord::CountSteps => {
-                self.count_by(Counting::Steps);
-                self.counter.zero();
-                return;
-            }
-            ModeWord::Follow(counts) => self.count_by(Counting::Quadrature(counts)),
-            ModeWord::FollowRatio => self.count_by(Counting::Quadrature(4)),
-            ModeWord::Steps | ModeWord::StepsRatio => self.count_by(Counting::Steps),
-            ModeWord::Cam(_) if self.counter.counting == Counting::Stopped => {
-                self.count_by(Counting::Quadrature(4));
-            }
-            ModeWord::Contour => self.stream.clear(),
-            ModeWord::Torque => {
-                if self.switch_on() {
-                    self.trajectory.hold();
-                    self.drive = Drive::Torque;
-                }
-            }
-            ModeWord::Cam(_) | ModeWord::Position | ModeWord::Velocity => {}
-        }
-        self.buffered.mode = mode;
-    }
-
-    /// `G`.
-    fn go(&mut self) {
-        if !self.switch_on() {
-            return;
-        }
-        let Buffered {
-            acceleration,
-            velocity,
-            position,
-            distance,
-            relative,
-            mode,
-            multiplier,
-            divisor,
-            base,
-            size,
-        } = self.buffered;
-        if mode != ModeWord::Contour {
-            self.stream.end();
-        }
-        let here = self.trajectory.count();
-        match mode {
-            ModeWord::Position => {
-                // Across the end of the 32 bits, if that is the shorter way.
-                let way = if relative {
-                    distance
-                } else {
-                    position.wrapping_sub(self.reading(here))
-                };
-                let target = here + i64::from(way);
-                self.trajectory.move_to(target, velocity, acceleration);
-            }
-            ModeWord::Velocity => self.trajectory.run_at(velocity, acceleration),
-            ModeWord::Torque => {
-                self.trajectory.hold();
-                self.drive = Drive::Torque;
-            }
-            ModeWord::Contour => {
-                self.stream.begin(self.reading(here));
-                self.trajectory.contour();
-            }
-            ModeWord::Follow(_) | ModeWord::Steps => self.trajectory.follow(Ratio::new(1, 1)),
-            ModeWord::FollowRatio | ModeWord::StepsRatio => {
-                self.trajectory.follow(Ratio::new(multiplier, divisor));
-            }
-            ModeWord::Cam(times) => self.trajectory.cam(Cam::new(base, size, times)),
-            ModeWord::Count | ModeWord::CountSteps => {}
-        }
-        // What came before G is not followed.
-        self.master = 0;
-    }
-
-    /// `X`. A motor in torque mode is caught by the servo and decelerated.
-    fn decelerate(&mut self) {
-        let acceleration = self.buffered.acceleration;
-        if self.drive == Drive::Torque && self.switch_on() {
-            self.trajectory.run_at(0, acceleration);
-        }
-        self.stream.end();
-        self.trajectory.decelerate(acceleration);
-    }
-
-    /// `S`. A motor that is off stays off.
-    fn stop_now(&mut self) {
-        self.stream.end();
-        if self.drive != Drive::Off && self.switch_on() {
-            self.trajectory.hold();
-        }
     }
 
     /// The status word `W`; its low byte is `S`.
@@ -622,33 +336,6 @@ impl Motor {
     }
 }
 
-impl Buffered {
-    const POWER_UP: Buffered = Buffered {
-        acceleration: 0,
-        velocity: 0,
-        position: 0,
-        distance: 0,
-        relative: false,
-        mode: ModeWord::Position,
-        multiplier: 1,
-        divisor: 1,
-        base: CAM_BASE,
-        size: 1,
-    };
-}
-
-impl Settings {
-    const POWER_UP: Settings = Settings {
-        torque: 0,
-        error_limit: ERROR_LIMIT,
-        amps: FULL,
-        trip_temperature: TRIP_TEMPERATURE,
-        functions: 0,
-        brake: Brake::Released,
-        directional: false,
-    };
-}
-
 impl Default for Motor {
     fn default() -> Motor {
         Motor::new()
@@ -662,8 +349,4 @@ fn wrap(value: i64) -> i32 {
 
 fn saturate(value: i64) -> i32 {
     i32::try_from(value).unwrap_or(if value < 0 { i32::MIN } else { i32::MAX })
-}
-
-fn short(value: i32) -> i16 {
-    i16::try_from(value).unwrap_or(if value < 0 { i16::MIN } else { i16::MAX })
 }
