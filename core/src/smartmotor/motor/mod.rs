@@ -1,8 +1,9 @@
 //! Everything behind the SmartMotor's interpreter: trajectory, filter, amplifier, motor, limits, brake, pins, encoders.
 //!
 //! The interpreter sees numbers ([`Register`]), orders ([`Command`]) and the status word ([`Flag`]); the bench sees
-//! wires, faults, mechanics and [`Signals`] (`bench`). Registers are in `settings`, commands in `orders`. A sample reads from the outside in: `counter` and `ports`, then
-//! `servo` with `trajectory` (`follow`, `stream`) and `filter`, then the plant and the `amplifier` that heats.
+//! wires, faults, mechanics and [`Signals`] (`bench`). Registers are in `settings`, commands in `orders`. A sample
+//! reads from the outside in: `counter` and `ports`, then `servo` with `trajectory` (`follow`, `stream`) and `filter`,
+//! then the plant and the `amplifier` that heats.
 
 mod amplifier;
 mod bench;
