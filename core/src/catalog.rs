@@ -3,12 +3,14 @@
 use crate::controller::{Controller, Opt};
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
+use crate::smartmotor::{self, SmartMotor};
 
 /// A station on the bench. An enum, not a box of `dyn`, so that the bench is `Clone` and a checkpoint is a copy.
 #[derive(Debug, Clone)]
 #[allow(missing_docs)]
 pub enum Station {
     Mc600(Box<Mc600>),
+    SmartMotor(Box<SmartMotor>),
 }
 
 impl Station {
@@ -16,6 +18,7 @@ impl Station {
     pub fn controller(&self) -> &dyn Controller {
         match self {
             Station::Mc600(station) => station.as_ref(),
+            Station::SmartMotor(station) => station.as_ref(),
         }
     }
 
@@ -23,6 +26,7 @@ impl Station {
     pub fn controller_mut(&mut self) -> &mut dyn Controller {
         match self {
             Station::Mc600(station) => station.as_mut(),
+            Station::SmartMotor(station) => station.as_mut(),
         }
     }
 }
@@ -48,20 +52,35 @@ pub struct Kind {
     pub diagnose: fn(&str) -> Vec<Diagnostic>,
     /// The classes of a program line's parts, from the controller's own lexer.
     pub highlight: fn(&str) -> Vec<Highlight>,
+    /// The words of the keyword table that a program line uses.
+    pub words: fn(&str) -> Vec<&'static str>,
     /// Every word of its language.
     pub keywords: fn() -> Vec<&'static KeywordRow>,
 }
 
 /// Every kind there is.
-pub const KINDS: &[Kind] = &[Kind {
-    id: "mc600",
-    name: "Danaher MC-600",
-    options: mc600::OPTIONS,
-    create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
-    diagnose: mc600::diagnose::diagnose,
-    highlight: mc600::diagnose::highlight,
-    keywords: mc600::keywords::rows,
-}];
+pub const KINDS: &[Kind] = &[
+    Kind {
+        id: "mc600",
+        name: "Danaher MC-600",
+        options: mc600::OPTIONS,
+        create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
+        diagnose: mc600::diagnose::diagnose,
+        highlight: mc600::diagnose::highlight,
+        words: mc600::diagnose::words,
+        keywords: mc600::keywords::rows,
+    },
+    Kind {
+        id: "smartmotor",
+        name: "Animatics SmartMotor",
+        options: smartmotor::OPTIONS,
+        create: |options| Ok(Station::SmartMotor(Box::new(SmartMotor::new(options)?))),
+        diagnose: smartmotor::diagnose::diagnose,
+        highlight: smartmotor::diagnose::highlight,
+        words: smartmotor::diagnose::words,
+        keywords: smartmotor::keywords::rows,
+    },
+];
 
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {

@@ -305,6 +305,19 @@ fn not_implemented(keyword: Keyword) -> String {
     }
 }
 
+/// The words of the keyword table that a line uses.
+pub fn words(line: &str) -> Vec<&'static str> {
+    let bytes = latin1::bytes(line);
+    let (_, body) = line_number(&bytes);
+    tokens(&bytes, body)
+        .into_iter()
+        .filter_map(|token| match token.kind {
+            TokenKind::Keyword(keyword) => Some(keyword.word()),
+            _ => None,
+        })
+        .collect()
+}
+
 /// The parts of one line of a program, by the device's own lexer.
 pub fn highlight(line: &str) -> Vec<Highlight> {
     let bytes = latin1::bytes(line);
