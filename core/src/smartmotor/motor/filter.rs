@@ -14,6 +14,8 @@ pub const FULL: i32 = 1023;
 pub const ERROR_FRACTION: u32 = 8;
 /// Errors beyond 2^20 counts count as that, which keeps 64 bits exact.
 const LARGEST_ERROR: i64 = 1 << (20 + ERROR_FRACTION);
+/// Demands beyond 2^24 counts/sample, which no motor follows, count as that.
+const LARGEST_DEMAND: i64 = 1 << 40;
 /// The terms are added up in units of 2^-18 of the output's.
 const FRACTION: u32 = 18;
 /// Of the integral.
@@ -188,11 +190,13 @@ impl Filter {
 
     fn feed_forward(&self, demand: &Demand) -> i64 {
         let Gains { kv, ka, .. } = self.gains;
-        // Most of the time there is none, and the demand is bounded by what V and A may be.
+        // Most of the time there is none.
         if kv | ka == 0 {
             return 0;
         }
-        ((i64::from(kv) * demand.velocity) >> 6) + ((i64::from(ka) * demand.acceleration) << 2)
+        let bounded = |value: i64| value.clamp(-LARGEST_DEMAND, LARGEST_DEMAND);
+        ((i64::from(kv) * bounded(demand.velocity)) >> 6)
+            + ((i64::from(ka) * bounded(demand.acceleration)) << 2)
     }
 }
 
@@ -287,8 +291,8 @@ mod tests {
         for error in [i64::MAX, i64::MIN, 1, -1, i64::MIN, i64::MAX] {
             let demand = Demand {
                 error,
-                velocity: i64::from(i32::MAX),
-                acceleration: i64::from(i32::MIN),
+                velocity: i64::MAX,
+                acceleration: i64::MIN,
             };
             assert!(filter.update(&demand, FULL, 1).abs() <= FULL);
         }

@@ -3,6 +3,7 @@
 mod following;
 mod motion;
 mod outside;
+mod robust;
 mod tuning;
 
 use super::*;
