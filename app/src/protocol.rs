@@ -3,6 +3,7 @@
 //! A message is JSON text; the samples of a frame travel beside it as one array of numbers, whose buffer is handed
 //! over rather than copied. Console bytes are text in the devices' eight-bit characters.
 
+use motionbench_core::catalog::TerminalSettings;
 use motionbench_core::controller::{Memory, Revision, Signal, Status};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
@@ -59,6 +60,8 @@ pub enum ToWorker {
     },
     /// How the terminal's end of the line is set.
     Line(LineSettings),
+    /// What the terminal does besides.
+    Terminal(TerminalSettings),
     /// The line is held low for a moment.
     Break,
     /// Characters that wait to be sent are forgotten.

@@ -29,6 +29,7 @@ fn project(text: &str) -> Project {
             line: LineSettings::new(9600),
             speed: Speed::Max,
             layout: Layout::default(),
+            terminal: None,
             others: Vec::new(),
         },
         device: Device {

@@ -196,12 +196,12 @@ impl Bench {
         room
     }
 
-    /// Sends a byte before everything queued, even when XOFF holds the rest: the Ctrl-C of an impatient person.
-    pub fn send_urgent(&mut self, line: usize, byte: u8) {
+    /// Sends bytes instead of everything queued, even when XOFF holds the rest: the Ctrl-C of an impatient person.
+    pub fn send_urgent(&mut self, line: usize, bytes: &[u8]) {
         if let Some(line) = self.lines.get_mut(line) {
             line.transmitter.discard();
             line.transmitter.hold(false);
-            line.transmitter.push(byte);
+            bytes.iter().for_each(|&byte| line.transmitter.push(byte));
         }
     }
 
@@ -363,7 +363,8 @@ impl Bench {
     /// Sends what left a station to whoever it is for.
     fn route(&mut self, from: usize, at: Nanos, output: Output) {
         match output {
-            Output::Frame { connector, frame } => {
+            // Only the console has a line; other connectors have no plug.
+            Output::Frame { connector, frame } if connector == 0 => {
                 let Some(place) = self.stations.get(from) else {
                     return;
                 };
@@ -387,7 +388,7 @@ impl Bench {
                 }
             }
             // Nothing is wired between stations yet.
-            Output::Wire { .. } => {}
+            Output::Frame { .. } | Output::Wire { .. } => {}
         }
     }
 

@@ -3,12 +3,14 @@
 use crate::controller::{Controller, Opt};
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
+use crate::smartmotor::{self, SmartMotor};
 
 /// A station on the bench. An enum, not a box of `dyn`, so that the bench is `Clone` and a checkpoint is a copy.
 #[derive(Debug, Clone)]
 #[allow(missing_docs)]
 pub enum Station {
     Mc600(Box<Mc600>),
+    SmartMotor(Box<SmartMotor>),
 }
 
 impl Station {
@@ -16,6 +18,7 @@ impl Station {
     pub fn controller(&self) -> &dyn Controller {
         match self {
             Station::Mc600(station) => station.as_ref(),
+            Station::SmartMotor(station) => station.as_ref(),
         }
     }
 
@@ -23,6 +26,7 @@ impl Station {
     pub fn controller_mut(&mut self) -> &mut dyn Controller {
         match self {
             Station::Mc600(station) => station.as_mut(),
+            Station::SmartMotor(station) => station.as_mut(),
         }
     }
 }
@@ -48,8 +52,12 @@ pub struct Kind {
     pub diagnose: fn(&str) -> Vec<Diagnostic>,
     /// The classes of a program line's parts, from the controller's own lexer.
     pub highlight: fn(&str) -> Vec<Highlight>,
+    /// The words of the keyword table that a program line uses.
+    pub words: fn(&str) -> Vec<&'static str>,
     /// Every word of its language.
     pub keywords: fn() -> Vec<&'static KeywordRow>,
+    /// How the controller keeps a program's text.
+    pub text: TextRules,
     /// A short program that moves an axis, for a first visit.
     pub first_program: &'static str,
     /// How a newcomer gets from the console to a program of their own that outlives the mains switch.
@@ -62,6 +70,30 @@ pub struct Kind {
     pub enable_input: Option<usize>,
     /// The lamps at its outputs.
     pub lamps: Lamps,
+    /// How a terminal at its console is best set.
+    pub terminal: TerminalSettings,
+}
+
+/// What a controller makes of the text of a program that it is given.
+#[derive(Debug, Clone, Copy)]
+pub struct TextRules {
+    /// Its lines have numbers that stand in the text.
+    pub numbered: bool,
+    /// Capital and small letters are the same, but in texts.
+    pub ignores_case: bool,
+    /// Comments are kept with the program.
+    pub keeps_comments: bool,
+    /// For each line of a text, parted by line feeds: the controller's own line that it becomes.
+    pub device_lines: fn(&str) -> Vec<Option<u32>>,
+}
+
+/// What a terminal does besides what the line does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub struct TerminalSettings {
+    /// Shows what is sent, for a controller that does not echo it.
+    pub local_echo: bool,
+    /// Goes to a new line at a CR, for a controller that sends no line feed behind it.
+    pub line_feeds: bool,
 }
 
 /// Something outside that a person sets.
@@ -122,21 +154,61 @@ pub enum FirstStep {
 }
 
 /// Every kind there is.
-pub const KINDS: &[Kind] = &[Kind {
-    id: "mc600",
-    name: "Danaher MC-600",
-    options: mc600::OPTIONS,
-    create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
-    diagnose: mc600::diagnose::diagnose,
-    highlight: mc600::diagnose::highlight,
-    keywords: mc600::keywords::rows,
-    first_program: mc600::first_steps::PROGRAM,
-    first_steps: mc600::first_steps::STEPS,
-    enable: "MDRVEN()",
-    inputs: mc600::wiring::INPUTS,
-    enable_input: Some(mc600::wiring::ENABLE),
-    lamps: mc600::wiring::LAMPS,
-}];
+pub const KINDS: &[Kind] = &[
+    Kind {
+        id: "mc600",
+        name: "Danaher MC-600",
+        options: mc600::OPTIONS,
+        create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
+        diagnose: mc600::diagnose::diagnose,
+        highlight: mc600::diagnose::highlight,
+        words: mc600::diagnose::words,
+        keywords: mc600::keywords::rows,
+        text: TextRules {
+            numbered: true,
+            ignores_case: true,
+            keeps_comments: true,
+            device_lines: mc600::diagnose::device_lines,
+        },
+        first_program: mc600::first_steps::PROGRAM,
+        first_steps: mc600::first_steps::STEPS,
+        enable: "MDRVEN()",
+        inputs: mc600::wiring::INPUTS,
+        enable_input: Some(mc600::wiring::ENABLE),
+        lamps: mc600::wiring::LAMPS,
+        terminal: TerminalSettings {
+            local_echo: false,
+            line_feeds: false,
+        },
+    },
+    Kind {
+        id: "smartmotor",
+        name: "Animatics SmartMotor",
+        options: smartmotor::OPTIONS,
+        create: |options| Ok(Station::SmartMotor(Box::new(SmartMotor::new(options)?))),
+        diagnose: smartmotor::diagnose::diagnose,
+        highlight: smartmotor::diagnose::highlight,
+        words: smartmotor::diagnose::words,
+        keywords: smartmotor::keywords::rows,
+        text: TextRules {
+            numbered: false,
+            ignores_case: false,
+            keeps_comments: false,
+            device_lines: smartmotor::diagnose::device_lines,
+        },
+        first_program: smartmotor::first_steps::PROGRAM,
+        first_steps: smartmotor::first_steps::STEPS,
+        enable: "G",
+        inputs: smartmotor::wiring::INPUTS,
+        enable_input: None,
+        lamps: smartmotor::wiring::LAMPS,
+        // It does not echo, and ends its answers with a bare CR.
+        terminal: TerminalSettings {
+            local_echo: true,
+            line_feeds: true,
+        },
+    },
+];
 
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {

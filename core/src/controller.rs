@@ -52,8 +52,8 @@ pub struct ControllerInfo {
     pub line: LineSettings,
     /// What the console prints when it is ready for a command.
     pub prompt: &'static str,
-    /// The byte that stops a running program from the console.
-    pub attention: u8,
+    /// What stops a running program from the console.
+    pub attention: &'static [u8],
     /// What the user types to start the loaded program.
     pub start: &'static str,
     /// Where programs are kept: the slot that a bare `load` means.
@@ -68,6 +68,8 @@ pub struct ControllerInfo {
     pub keys: Vec<&'static str>,
     /// Time between samples.
     pub sample: Nanos,
+    /// It passes on what comes in: stations of its kind share one host line, one behind the other.
+    pub chained: bool,
 }
 
 /// An option of a kind of controller.

@@ -17,10 +17,14 @@ pub enum Step {
 /// Why a statement cannot go on. Data that is polled at each sample, so that everything is interruptible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Wait {
-    /// Waits for a line from the console.
+    /// Waits for a line or a character from the console.
     Input,
     /// Waits until the console has sent what was printed.
     Output,
+    /// Waits for a time.
+    Time,
+    /// Waits until a motion has ended.
+    Motion,
 }
 
 /// Why a program does not run.

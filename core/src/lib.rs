@@ -25,5 +25,6 @@ pub mod probe;
 pub mod scenario;
 pub mod serial;
 pub mod servo;
+pub mod smartmotor;
 pub mod time;
 pub mod trace;

@@ -65,7 +65,7 @@ pub fn mc600_console(data: &[u8]) {
     card.bench.power(card.station, true);
     card.bench.set_line(card.line, LineSettings::new(9600));
     // A receiver that is set right in the middle of a stream finds its step in the pause that Ctrl-C makes.
-    card.bench.send_urgent(card.line, CTRL_C);
+    card.bench.send_urgent(card.line, &[CTRL_C]);
     card.run(100);
     card.interrupt();
     if locked == "yes" {
@@ -294,7 +294,7 @@ impl Card {
             }
             Some(b'o') => self.bench.power(self.station, false),
             Some(b'b') => self.bench.send_break(self.line),
-            Some(b'c') => self.bench.send_urgent(self.line, CTRL_C),
+            Some(b'c') => self.bench.send_urgent(self.line, &[CTRL_C]),
             Some(b'r') => self.run(50),
             Some(b's') => self.bench.set_line(self.line, LineSettings::new(4800)),
             Some(b'e') => {
@@ -330,7 +330,7 @@ impl Card {
     /// password that is the question for it.
     fn interrupt(&mut self) {
         self.probe.console.clear();
-        self.bench.send_urgent(self.line, CTRL_C);
+        self.bench.send_urgent(self.line, &[CTRL_C]);
         let character = 11.0 / 9600.0;
         // One is on the wire already.
         let arrived = self.bench.now() + Nanos::from_seconds(2.0 * character);

@@ -42,7 +42,7 @@ fn saving_takes_its_time_and_ctrl_c_does_not_wait_for_it() {
 
     bench.send(0, b"SAVE \"B:Z\"\r");
     assert!(!run(&mut bench, 100).at_prompt);
-    bench.send_urgent(0, 0x03);
+    bench.send_urgent(0, &[0x03]);
     assert!(run(&mut bench, 50).at_prompt);
     let listing = |slot| bench.station(CARD).unwrap().listing(&slot);
     let saved = listing(Slot::File("B:Z.BAS".to_owned()));
@@ -62,7 +62,7 @@ fn a_program_that_handles_itself_does_not_stop_the_simulator() {
         bench.send(0, b"RUN\r");
         let status = run(&mut bench, 40);
         assert_eq!(status.line, Some(10), "{first}: {status:?}");
-        bench.send_urgent(0, 0x03);
+        bench.send_urgent(0, &[0x03]);
         assert!(run(&mut bench, 50).at_prompt, "{first}");
     }
 }

@@ -12,10 +12,10 @@ use crate::storage::Keeper;
 pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl IntoView {
     let memo = move |read: fn(&Device) -> String| Memo::new(move |_| store.device.with(read));
     let activity = Memo::new(move |_| store.device.with(Device::activity));
-    let line = memo(|device| {
-        device
-            .running_line()
-            .map_or_else(String::new, |line| format!("line {line}"))
+    let line = Memo::new(move |_| {
+        let line = store.device.with(Device::running_line);
+        let name = |line| store.editor.with(|editor| editor.device_line_name(line));
+        line.map_or_else(String::new, name)
     });
     let moving = memo(|device| {
         let words = if device.is_moving() { "axis moves" } else { "" };

@@ -57,6 +57,7 @@ impl Store {
             text,
             breakpoints,
             line: line.unwrap_or(LineSettings::new(9600)),
+            terminal: self.terminal_settings.get_untracked(),
             device: self.held(),
         }
     }
@@ -85,6 +86,7 @@ impl Store {
         let speed = self.device.with_untracked(|device| device.speed);
         self.send(ToWorker::Speed(speed));
         self.set_line(desk.line);
+        self.set_terminal(desk.terminal);
         self.kept.set(Some(desk.device.memory.clone()));
         // What the mains switch clears comes back behind it.
         if !desk.device.power {
@@ -119,6 +121,7 @@ fn new_desk(kind: &Kind) -> Desk {
         text: kind.first_program.to_owned(),
         breakpoints: Default::default(),
         line: line.unwrap_or(LineSettings::new(9600)),
+        terminal: None,
         device: project::Device {
             controller: kind.id.to_owned(),
             power: true,

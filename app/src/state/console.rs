@@ -1,6 +1,7 @@
 //! What goes to the controller's console and what comes from it: typed, pasted, sent from a file, kept for a file.
 
 use leptos::prelude::*;
+use motionbench_core::catalog::TerminalSettings;
 use motionbench_core::serial::LineSettings;
 
 use super::Store;
@@ -66,6 +67,20 @@ impl Store {
     pub fn set_line(&self, settings: LineSettings) {
         self.device.update(|device| device.line = Some(settings));
         self.send(ToWorker::Line(settings));
+    }
+
+    /// What the terminal does besides what the line does.
+    pub fn terminal_settings(&self) -> TerminalSettings {
+        let kind = self.kind();
+        self.terminal_settings.get().unwrap_or(kind.terminal)
+    }
+
+    /// Sets that; `None` is what suits the controller best.
+    pub fn set_terminal(&self, settings: Option<TerminalSettings>) {
+        let usual = untrack(|| self.kind().terminal);
+        let settings = settings.filter(|settings| *settings != usual);
+        self.terminal_settings.set(settings);
+        self.send(ToWorker::Terminal(settings.unwrap_or(usual)));
     }
 
     /// Forgets what has not been sent.

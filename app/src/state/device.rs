@@ -110,7 +110,7 @@ impl Device {
                 Activity::Paused
             }
             RunState::Command => Activity::Command,
-            RunState::Running => Activity::Running,
+            RunState::Running | RunState::Waiting(Wait::Time | Wait::Motion) => Activity::Running,
             RunState::Waiting(Wait::Input) => Activity::WaitingForInput,
             RunState::Waiting(Wait::Output) => Activity::WaitingForOutput,
             RunState::Paused => Activity::Paused,

@@ -200,16 +200,22 @@ impl EditorState {
         self.takes
     }
 
-    /// The controller's line that stands in a line of the text.
-    pub fn device_line(&self, line: u32) -> Option<u32> {
-        lines::device_line(self.kind, self.line(line)?)
-    }
-
-    /// What to call a line of the text: by the controller's number where it has one.
+    /// What to call a line of the text: by its number where it has one.
     pub fn line_name(&self, line: u32) -> String {
-        match self.device_line(line) {
+        let number = self
+            .line(line)
+            .and_then(|text| lines::written_number(self.kind, text));
+        match number {
             Some(number) => number.to_string(),
             None => format!("line {}", line + 1),
+        }
+    }
+
+    /// What to call a line of the controller: by its number, or by where it stands in the text.
+    pub fn device_line_name(&self, device_line: u32) -> String {
+        match self.document_line(device_line) {
+            Some(line) if !self.kind.text.numbered => format!("line {}", line + 1),
+            _ => format!("line {device_line}"),
         }
     }
 
@@ -245,8 +251,9 @@ impl EditorState {
     /// The text is on its way to the controller: returns the lines of it at which the controller is to stop.
     pub fn send(&mut self) -> Vec<u32> {
         self.sent = Some(Sent::new(&self.text));
-        let lines = self.breakpoints.iter();
-        let devices: BTreeSet<u32> = lines.filter_map(|&line| self.device_line(line)).collect();
+        let lines = (0..).zip((self.kind.text.device_lines)(&self.text));
+        let held = lines.filter(|(line, _)| self.breakpoints.contains(line));
+        let devices: BTreeSet<u32> = held.filter_map(|(_, device)| device).collect();
         devices.into_iter().collect()
     }
 
@@ -372,12 +379,9 @@ impl EditorState {
         if listing.is_empty() || !programs::differences(self.kind, &self.text, listing).is_empty() {
             return;
         }
-        let lines = self.text.split('\n');
         let revision = Revision {
             number: known.revision,
-            lines: lines
-                .map(|line| lines::device_line(self.kind, line))
-                .collect(),
+            lines: (self.kind.text.device_lines)(&self.text),
         };
         self.loaded = Some(Loaded::new(Sent::new(&self.text), revision));
     }

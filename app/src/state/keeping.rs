@@ -45,6 +45,7 @@ impl Store {
             text: work.text,
             breakpoints: work.breakpoints,
             line: work.line,
+            terminal: work.terminal,
             device,
         });
     }
@@ -54,6 +55,7 @@ impl Store {
             text,
             breakpoints,
             line,
+            terminal,
             ..
         } = self.desk();
         Work {
@@ -61,6 +63,7 @@ impl Store {
             text,
             breakpoints,
             line,
+            terminal,
             speed: self.device.with_untracked(|device| device.speed),
             layout: self.layout.get_untracked(),
             others: self.others.get_untracked(),
@@ -81,6 +84,7 @@ impl Store {
             self.layout.track();
             self.project_name.track();
             self.others.track();
+            self.terminal_settings.track();
             if before.is_some() {
                 keeper.work_changed();
             }

@@ -8,7 +8,7 @@ mod lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use motionbench_core::catalog::kind;
+use motionbench_core::catalog::{TerminalSettings, kind};
 use motionbench_core::controller::{Memory, MemoryItem};
 use motionbench_core::serial::LineSettings;
 use serde::de::{Deserializer, IgnoredAny};
@@ -16,10 +16,10 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use crate::protocol::Speed;
 
-/// The newest version that is written, where it is needed: for work with several controllers. It grows when an older
+/// The newest version that is written, where it is needed: for several controllers, or a terminal that was set. It grows when an older
 /// page could not read what a newer one writes.
 pub const VERSION: u32 = 2;
-/// What is written for work with one controller.
+/// What is written otherwise.
 const FIRST_VERSION: u32 = 1;
 /// What a project may have as a file, in bytes: every disk full of what takes most room, and a long program.
 pub const LARGEST: usize = 16 << 20;
@@ -58,6 +58,9 @@ pub struct Work {
     pub speed: Speed,
     /// How the page is laid out.
     pub layout: Layout,
+    /// What the terminal does besides, if not what suits the controller best.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terminal: Option<TerminalSettings>,
     /// The work with other controllers, which are not on the bench now.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<Desk>,
@@ -74,6 +77,9 @@ pub struct Desk {
     pub breakpoints: BTreeSet<u32>,
     /// As [`Work::line`].
     pub line: LineSettings,
+    /// As [`Work::terminal`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub terminal: Option<TerminalSettings>,
     /// What it holds.
     pub device: Device,
 }
@@ -282,7 +288,7 @@ fn can_be_set(line: &LineSettings) -> bool {
 impl Work {
     /// The version of the format that has all of it.
     fn version(&self) -> u32 {
-        if self.others.is_empty() {
+        if self.others.is_empty() && self.terminal.is_none() {
             FIRST_VERSION
         } else {
             VERSION

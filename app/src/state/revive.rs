@@ -92,6 +92,7 @@ impl Store {
         if let Some(line) = line {
             self.send(ToWorker::Line(line));
         }
+        self.set_terminal(self.terminal_settings.get_untracked());
         self.notice.set(Some(
             "The simulator has failed and was started again. Programs and files are back; what ran has stopped.",
         ));

@@ -3,7 +3,7 @@
 //! What was printed and what was recorded stay out of the reactive graph; it carries only the news that there is more.
 
 use leptos::prelude::*;
-use motionbench_core::catalog::{KINDS, Kind};
+use motionbench_core::catalog::{KINDS, Kind, TerminalSettings};
 use motionbench_core::controller::{Memory, RunState};
 use motionbench_core::exec::Wait;
 
@@ -50,6 +50,8 @@ pub struct Store {
     pub project_name: RwSignal<String>,
     /// The work with other controllers of the project, which are not on the bench now.
     pub others: RwSignal<Vec<Desk>>,
+    /// What the terminal does besides what the line does, if not what suits the controller best.
+    pub terminal_settings: RwSignal<Option<TerminalSettings>>,
     /// Something that the user should know, until it is put away.
     pub notice: RwSignal<Option<&'static str>>,
     pub(super) terminal: StoredValue<Terminal, LocalStorage>,
@@ -87,6 +89,7 @@ impl Store {
             kept: RwSignal::new(None),
             project_name: RwSignal::new("My project".to_owned()),
             others: RwSignal::default(),
+            terminal_settings: RwSignal::default(),
             notice: RwSignal::new(None),
             chosen_kind: StoredValue::new(None),
             health: StoredValue::new(Health::default()),

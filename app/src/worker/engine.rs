@@ -1,12 +1,12 @@
 //! The bench with one controller on it, driven by the page's messages. It knows neither browser nor wall clock.
 
 use motionbench_core::bench::Bench;
-use motionbench_core::catalog;
+use motionbench_core::catalog::{self, TerminalSettings};
 use motionbench_core::controller::{
     ControllerInfo, Debug, Input, Memory, RunState, Slot, Status, Survives,
 };
 use motionbench_core::language::latin1;
-use motionbench_core::probe::Probe;
+use motionbench_core::probe::{ConsoleByte, Probe};
 use motionbench_core::time::Nanos;
 
 use super::sender::{Line, Sender};
@@ -26,6 +26,7 @@ pub struct Engine {
     station: usize,
     line: usize,
     sender: Sender,
+    terminal: TerminalSettings,
     /// Simulated time stands still.
     frozen: bool,
     /// The program may come to be held: by a breakpoint, or behind a step.
@@ -73,6 +74,7 @@ impl Engine {
             station,
             line,
             sender: Sender::default(),
+            terminal: kind.terminal,
             frozen: false,
             may_be_held: false,
             kept: Memory::default(),
@@ -99,7 +101,7 @@ impl Engine {
     pub fn act(&mut self, message: &ToWorker) -> Option<FromWorker> {
         match message {
             ToWorker::Send(text) if self.sender.is_empty() => {
-                self.bench.send(self.line, &latin1::bytes(text));
+                self.send(&latin1::bytes(text));
             }
             ToWorker::Send(text) => self.sender.queue(&latin1::bytes(text), None),
             ToWorker::SendPaced { text, pace } => {
@@ -142,6 +144,7 @@ impl Engine {
                 value: *value,
             }),
             ToWorker::Line(settings) => self.bench.set_line(self.line, *settings),
+            ToWorker::Terminal(settings) => self.terminal = *settings,
             ToWorker::Break => self.bench.send_break(self.line),
             ToWorker::Cancel => self.cancel(),
             ToWorker::Keep => {
@@ -166,6 +169,17 @@ impl Engine {
         None
     }
 
+    /// Sends to the console, and shows it if the terminal is set so.
+    fn send(&mut self, bytes: &[u8]) {
+        let sent = self.bench.send(self.line, bytes);
+        if self.terminal.local_echo {
+            let (line, at) = (self.line, self.now());
+            let echo = bytes.iter().take(sent);
+            let echo = echo.map(|&byte| ConsoleByte { line, at, byte });
+            self.probe.console.extend(echo);
+        }
+    }
+
     /// Forgets what has not been sent.
     fn cancel(&mut self) {
         self.sender.clear();
@@ -180,7 +194,7 @@ impl Engine {
             self.bench.send_urgent(self.line, self.info.attention);
         }
         let start = format!("{}\r", self.info.start);
-        self.bench.send(self.line, start.as_bytes());
+        self.send(start.as_bytes());
     }
 
     fn load(&mut self, text: &str, start: bool) -> FromWorker {
@@ -236,7 +250,7 @@ impl Engine {
             at_prompt: is_free && status.at_prompt && status.unread == 0 && status.unsent == 0,
         };
         if let Some(byte) = self.sender.take(line) {
-            self.bench.send(self.line, &[byte]);
+            self.send(&[byte]);
         }
     }
 
@@ -283,10 +297,20 @@ impl Engine {
         Report {
             now: self.now(),
             status: self.status(),
-            console: latin1::text(&console),
+            console: self.shown(&console),
             pending: self.bench.host_pending(self.line) + self.sender.len(),
             samples,
             frozen: self.frozen,
+        }
+    }
+
+    /// What the terminal shows of these bytes.
+    fn shown(&self, bytes: &[u8]) -> String {
+        let text = latin1::text(bytes);
+        if self.terminal.line_feeds {
+            text.replace('\r', "\r\n")
+        } else {
+            text
         }
     }
 

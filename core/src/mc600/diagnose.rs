@@ -6,6 +6,7 @@ mod tests;
 use std::collections::BTreeMap;
 
 use super::ast::{Statement, StatementKind};
+use super::commands::device_line;
 use super::compile::{Problem, check};
 use super::firmware::{ErrorCode, LAST_LINE, LINE_LENGTH};
 use super::jumps::{Jump, jumps};
@@ -303,6 +304,25 @@ fn not_implemented(keyword: Keyword) -> String {
             row.word
         ),
     }
+}
+
+/// The number of each line of a text that has one.
+pub fn device_lines(text: &str) -> Vec<Option<u32>> {
+    let number = |line: &str| device_line(&latin1::bytes(line)).map(u32::from);
+    text.split('\n').map(number).collect()
+}
+
+/// The words of the keyword table that a line uses.
+pub fn words(line: &str) -> Vec<&'static str> {
+    let bytes = latin1::bytes(line);
+    let (_, body) = line_number(&bytes);
+    tokens(&bytes, body)
+        .into_iter()
+        .filter_map(|token| match token.kind {
+            TokenKind::Keyword(keyword) => Some(keyword.word()),
+            _ => None,
+        })
+        .collect()
 }
 
 /// The parts of one line of a program, by the device's own lexer.

@@ -35,7 +35,7 @@ pub(super) fn info() -> ControllerInfo {
         axes: vec!["x"],
         line: LineSettings::new(9600),
         prompt: ">",
-        attention: 0x03,
+        attention: &[0x03],
         start: "RUN",
         program_slot: Slot::Program,
         signals: [
@@ -56,6 +56,7 @@ pub(super) fn info() -> ControllerInfo {
         faults: vec!["drive", "limit+", "limit-", "stall", "encoder", "estop"],
         keys: Vec::new(),
         sample: SAMPLE,
+        chained: false,
     }
 }
 

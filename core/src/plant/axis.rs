@@ -27,6 +27,8 @@ pub struct AxisParameters {
     pub limits: Span,
     /// Where the home switch is pressed.
     pub home: Span,
+    /// Torque that always acts on the load, backwards where it is above zero: a weight on a vertical axis.
+    pub pull: f64,
 }
 
 /// A range of positions, in revolutions; either end may be infinite.
@@ -90,6 +92,8 @@ struct StepConstants {
     damping: f64,
     /// Velocity that Coulomb friction takes; infinite when jammed.
     friction: f64,
+    /// Velocity that the pull on the load takes.
+    pull: f64,
     /// Torque per rev/s below the maximum speed.
     fade: f64,
     /// Half the period.
@@ -109,6 +113,7 @@ impl StepConstants {
             } else {
                 kick * parameters.coulomb_friction
             },
+            pull: kick * parameters.pull,
             fade: 1.0 / (FADE * parameters.max_speed),
             half_period: 0.5 * period,
         }
@@ -145,6 +150,7 @@ impl PlantAxis {
             kick,
             damping,
             friction,
+            pull,
             fade,
             half_period,
         } = self.constants;
@@ -169,7 +175,7 @@ impl PlantAxis {
         self.torque = torque;
 
         // Friction can stop the axis but never drive it: what is left of the velocity when it has taken its part.
-        let pushed = (self.velocity + torque * kick) * damping;
+        let pushed = (self.velocity + torque * kick - pull) * damping;
         let velocity = if pushed > friction {
             pushed - friction
         } else if pushed < -friction {
@@ -313,6 +319,15 @@ mod tests {
         assert!(axis.velocity() < SERVO.max_speed && axis.velocity() > 0.9 * SERVO.max_speed);
         push(&mut axis, -1.0, 5.0);
         assert!(axis.velocity() < -0.9 * SERVO.max_speed);
+    }
+
+    #[test]
+    fn a_weight_falls_unless_it_is_held() {
+        let mut axis = axis(|p| p.pull = 0.1);
+        push(&mut axis, 0.1, 1.0);
+        assert!(axis.velocity() == 0.0 && axis.position().abs() < 1e-3);
+        push(&mut axis, 0.0, 0.1);
+        assert!(axis.velocity() < -10.0);
     }
 
     #[test]

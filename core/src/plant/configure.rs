@@ -7,7 +7,7 @@ use super::axis::{PlantAxis, Span};
 /// A position is a number of the controller's counts as it counts at power-up, or of revolutions (`2.5rev`), from
 /// where the axis stood when it was built. A range is two positions with `..` between; either may be left out, and
 /// `none` is no such thing.
-pub const KEYS: [(&str, &str); 9] = [
+pub const KEYS: [(&str, &str); 10] = [
     (
         "inertia",
         "of the load, as a multiple of the motor's; 0 to 1000",
@@ -41,6 +41,10 @@ pub const KEYS: [(&str, &str); 9] = [
         "home",
         "where the home switch is pressed: a range, or the position from which on it is",
     ),
+    (
+        "pull",
+        "torque that always acts on the load, backwards where it is above zero, as a fraction of the motor's peak; -1 to 1",
+    ),
 ];
 
 impl PlantAxis {
@@ -60,6 +64,7 @@ impl PlantAxis {
             "maxspeed" => p.max_speed = number(key, value, 1.0, 1_000_000.0)? / 60.0,
             "travel" => p.travel = self.range(key, value, Span::ENDLESS)?,
             "limits" => p.limits = self.range(key, value, Span::ENDLESS)?,
+            "pull" => p.pull = number(key, value, -1.0, 1.0)?,
             "home" => p.home = self.home(key, value)?,
             _ => {
                 let known = KEYS.map(|(key, _)| key).join(", ");
@@ -199,7 +204,7 @@ mod tests {
         }
         assert_eq!(
             axis.configure("colour", "red").unwrap_err(),
-            "an axis has no `colour`; it has inertia, friction, viscous, torque, bandwidth, maxspeed, travel, limits, home"
+            "an axis has no `colour`; it has inertia, friction, viscous, torque, bandwidth, maxspeed, travel, limits, home, pull"
         );
         assert_eq!(axis, before);
     }

@@ -16,4 +16,15 @@ pub const SERVO: AxisParameters = AxisParameters {
     travel: Span::ENDLESS,
     limits: Span::ENDLESS,
     home: Span::NOWHERE,
+    pull: 0.0,
+};
+
+/// A motor with its amplifier on its back and a load of its own inertia: 5000 rpm, no stops within reach.
+///
+/// With its load it can accelerate by 540 rpm/ms; friction takes 1.2 % of the peak torque.
+pub const INTEGRATED: AxisParameters = AxisParameters {
+    motor_acceleration: 18_000.0,
+    coulomb_friction: 0.012,
+    max_speed: 5000.0 / 60.0,
+    ..SERVO
 };

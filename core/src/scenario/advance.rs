@@ -122,6 +122,10 @@ pub fn busy(status: &Status) -> Option<String> {
         RunState::Waiting(Wait::Output) => {
             return Some(format!("the program waits until its output is sent{line}"));
         }
+        RunState::Waiting(Wait::Time) => return Some(format!("the program waits{line}")),
+        RunState::Waiting(Wait::Motion) => {
+            return Some(format!("the program waits for the end of a motion{line}"));
+        }
         RunState::Paused => return Some(format!("the program is held{line}")),
     }
     if status.moving {
@@ -315,11 +319,16 @@ impl<'a> Runner<'a> {
     }
 
     fn is_at_prompt(&self, index: usize) -> bool {
-        let Some(station) = self.state.bench.station(index) else {
-            return false;
-        };
-        let status = station.status();
-        status.at_prompt && status.unread == 0 && status.unsent == 0 && self.state.bench.is_quiet()
+        let bench = &self.state.bench;
+        let line = bench.line_of(index);
+        let asked = bench.station(index).map(|station| station.status());
+        // What others on the line have still to pass on belongs to the reply.
+        let passed_on = (0..bench.len())
+            .filter(|&other| bench.line_of(other) == line)
+            .filter_map(|other| bench.station(other))
+            .map(|station| station.status())
+            .all(|status| !status.power || (status.unread == 0 && status.unsent == 0));
+        asked.is_some_and(|status| status.at_prompt) && passed_on && bench.is_quiet()
     }
 
     fn checkpoint_interval(&self) -> Nanos {

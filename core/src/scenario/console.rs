@@ -82,12 +82,17 @@ impl Reader {
             let mut typed = self.typed.iter();
             let in_order = typed.try_fold(from, |from, line| line.echo_end(body, from));
             let alone = || last.echo_end(body, self.position);
-            from = in_order.or_else(alone).ok_or(NoReply::Echo)?;
+            // A controller without a prompt may be one without an echo.
+            let unechoed = || prompt.is_empty().then_some(from);
+            from = in_order
+                .or_else(alone)
+                .or_else(unechoed)
+                .ok_or(NoReply::Echo)?;
         }
         let reply = body.get(from..).ok_or(NoReply::Prompt)?;
         let (reply, ended) = strip_line_end(reply);
         // Without a line end before it, what looks like a prompt is the end of a line.
-        match ended || reply.is_empty() {
+        match ended || reply.is_empty() || prompt.is_empty() {
             true => Ok(reply),
             false => Err(NoReply::Prompt),
         }
@@ -176,6 +181,15 @@ mod tests {
         assert_eq!(reply(&["?1"], ">?2\r\n 2 \r\n>"), Err(NoReply::Echo));
         assert_eq!(reply(&["?1"], ">?1\r\n 1 "), Err(NoReply::Prompt));
         assert_eq!(reply(&["?1"], ">?1\r\nA>"), Err(NoReply::Prompt));
+    }
+
+    #[test]
+    fn without_a_prompt_a_reply_is_all_there_is() {
+        let mut reader = Reader::default();
+        reader.typed(b"RP", b"");
+        assert_eq!(reader.reply(b"", b"100\r"), Ok(&b"100"[..]));
+        assert_eq!(reader.reply(b"", b"RP\r100\r"), Ok(&b"100"[..]));
+        assert_eq!(reader.reply(b"", b"READY"), Ok(&b"READY"[..]));
     }
 
     #[test]

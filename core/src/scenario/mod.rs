@@ -66,6 +66,10 @@ struct Planned {
     /// The kind of controller.
     id: &'static str,
     station: Station,
+    /// The earlier station whose host line it shares, further down the chain.
+    behind: Option<usize>,
+    /// The host line as `line=` calls it.
+    line: Option<String>,
 }
 
 /// A condition that is folded at every sample.

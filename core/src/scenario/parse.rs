@@ -175,10 +175,20 @@ impl<'a> Parser<'a> {
         while let Some(option) = line.setting()? {
             options.push(option);
         }
+        let line = take_line(&mut options)?;
+        let created = (kind.create)(&options)?;
+        let chained = created.controller().info().chained;
+        if line.is_some() && !chained {
+            return Err(format!("{id} has a host line of its own"));
+        }
+        let mut earlier = self.scenario.stations.iter();
+        let behind = earlier.position(|other| other.id == kind.id && other.line == line);
         self.scenario.stations.push(Planned {
             name,
             id: kind.id,
-            station: (kind.create)(&options)?,
+            station: created,
+            behind: behind.filter(|_| chained),
+            line,
         });
         Ok(Statement {
             line: self.line,
@@ -306,6 +316,18 @@ fn settled(mut line: Line<'_>) -> Result<Action, String> {
     line.keyword("of")?;
     let condition = Condition::with_value(signal, super::condition::Relation::Equal, line)?;
     Ok(Action::CheckSettled { condition, within })
+}
+
+/// `line=NAME` among the options of a station: the host line that it hangs on.
+fn take_line(options: &mut Vec<(String, String)>) -> Result<Option<String>, String> {
+    let at = options.iter().position(|(key, _)| key == "line");
+    let line = at.map(|at| options.remove(at).1);
+    match line {
+        Some(name) if !is_name(&name) => Err(format!(
+            "`{name}` is not a line's name: a letter, then letters, digits, `-` and `_`"
+        )),
+        line => Ok(line),
+    }
 }
 
 fn is_name(name: &str) -> bool {

@@ -222,7 +222,9 @@ impl<'a> Runner<'a> {
                 *source = Some(Source::new(info, &watch.condition.signal));
             }
         }
-        let added = self.state.bench.add(&planned.name, station, None);
+        let before = planned.behind;
+        let line = before.and_then(|before| self.state.bench.line_of(before));
+        let added = self.state.bench.add(&planned.name, station, line);
         self.added(added);
         Ok(())
     }

@@ -33,9 +33,15 @@ fn LineForm(store: Store, open: RwSignal<bool>) -> impl IntoView {
     let present = store.device.with_untracked(|device| device.line);
     let usual = console.unwrap_or(LineSettings::new(9600));
     let line = RwSignal::new(present.unwrap_or(usual));
+    let terminal = RwSignal::new(untrack(|| store.terminal_settings()));
+    let as_controller = move |_| {
+        line.set(usual);
+        terminal.set(untrack(|| store.kind().terminal));
+    };
     let submit = move |event: ev::SubmitEvent| {
         event.prevent_default();
         store.set_line(line.get_untracked());
+        store.set_terminal(Some(terminal.get_untracked()));
         open.set(false);
     };
     let number = |number: u32| (number, number.to_string());
@@ -57,9 +63,19 @@ fn LineForm(store: Store, open: RwSignal<bool>) -> impl IntoView {
                 <Choice label="Flow control" options=FLOWS.map(named).to_vec() line
                     read=|line| line.flow write=|line, flow| line.flow = flow />
             </div>
+            <label class="check">
+                <input type="checkbox" prop:checked=move || terminal.get().local_echo
+                    on:change=move |event| terminal.update(|t| t.local_echo = event_target_checked(&event)) />
+                "Show what is sent (local echo)"
+            </label>
+            <label class="check">
+                <input type="checkbox" prop:checked=move || terminal.get().line_feeds
+                    on:change=move |event| terminal.update(|t| t.line_feeds = event_target_checked(&event)) />
+                "A new line at each CR"
+            </label>
             <div class="choices">
                 <button type="submit" class="button primary">"Set"</button>
-                <button type="button" class="button" on:click=move |_| line.set(usual)>"As the controller"</button>
+                <button type="button" class="button" on:click=as_controller>"As the controller"</button>
                 <button type="button" class="button" on:click=move |_| open.set(false)>"Cancel"</button>
             </div>
         </form>

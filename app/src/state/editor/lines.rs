@@ -90,8 +90,8 @@ pub fn with_line_feeds(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\r', "\n")
 }
 
-/// The number by which the controller calls a line, read by its own lexer.
-pub fn device_line(kind: &Kind, line: &str) -> Option<u32> {
+/// The number that stands in a line, read by the controller's own lexer.
+pub fn written_number(kind: &Kind, line: &str) -> Option<u32> {
     let parts = (kind.highlight)(line);
     let number = parts
         .first()
@@ -265,11 +265,11 @@ mod tests {
     #[test]
     fn the_first_number_of_a_line_is_the_controllers_line() {
         let kind = kind("mc600").unwrap();
-        assert_eq!(device_line(kind, "  120 PRINT 5"), Some(120));
-        assert_eq!(device_line(kind, "120"), Some(120));
-        assert_eq!(device_line(kind, "PRINT 5"), None);
-        assert_eq!(device_line(kind, "70000 PRINT"), None);
-        assert_eq!(device_line(kind, ""), None);
+        assert_eq!(written_number(kind, "  120 PRINT 5"), Some(120));
+        assert_eq!(written_number(kind, "120"), Some(120));
+        assert_eq!(written_number(kind, "PRINT 5"), None);
+        assert_eq!(written_number(kind, "70000 PRINT"), None);
+        assert_eq!(written_number(kind, ""), None);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use motionbench_core::catalog::Kind;
 use motionbench_core::controller::Revision;
 use motionbench_core::language::HighlightClass;
 
-use super::lines::{Moved, device_line};
+use super::lines::Moved;
 
 /// A text on its way to the controller.
 #[derive(Debug, Clone)]
@@ -78,8 +78,8 @@ pub struct Difference {
     pub controller: Option<String>,
 }
 
-/// The lines in which a listing of the controller differs from a text, in the order of their numbers. Blanks and the
-/// case of letters count only in strings and data.
+/// The lines in which a listing of the controller differs from a text, in the order of their numbers. Blanks, and for
+/// some controllers the case of letters, count only in texts; comments only where the controller keeps them.
 pub fn differences(kind: &Kind, text: &str, listing: &str) -> Vec<Difference> {
     let (editor, controller) = (numbered(kind, text), numbered(kind, listing));
     let mut numbers: Vec<u32> = editor.keys().chain(controller.keys()).copied().collect();
@@ -117,8 +117,27 @@ pub fn same_lines(kind: &Kind, old: &str, new: &str) -> BTreeMap<u32, u32> {
             .map(|(old, new)| (old.place, new.place))
             .collect();
     }
+    if !kind.text.numbered {
+        return at_both_ends(kind, &old, &new);
+    }
     let kept = |(number, old): (&u32, &Line)| Some((old.place, new.get(number)?.place));
     old.iter().filter_map(kept).collect()
+}
+
+/// The lines that are equal from the start on, and from the end back.
+fn at_both_ends(
+    kind: &Kind,
+    old: &BTreeMap<u32, Line>,
+    new: &BTreeMap<u32, Line>,
+) -> BTreeMap<u32, u32> {
+    let equal = |(old, new): &(&Line, &Line)| same(kind, old.text, new.text, |_| true);
+    let places = |(old, new): (&Line, &Line)| (old.place, new.place);
+    let start = old.values().zip(new.values()).take_while(equal);
+    let mut kept: BTreeMap<u32, u32> = start.map(places).collect();
+    let rest = old.len().min(new.len()) - kept.len();
+    let end = old.values().rev().zip(new.values().rev());
+    kept.extend(end.take(rest).take_while(equal).map(places));
+    kept
 }
 
 /// A line of a program.
@@ -132,15 +151,13 @@ struct Line<'a> {
 /// and a number alone deletes.
 fn numbered<'a>(kind: &Kind, text: &'a str) -> BTreeMap<u32, Line<'a>> {
     let mut lines = BTreeMap::new();
-    for (place, text) in (0u32..).zip(text.split('\n')) {
-        match device_line(kind, text) {
-            Some(number) if (kind.highlight)(text).len() > 1 => {
-                lines.insert(number, Line { place, text });
-            }
-            Some(number) => {
-                lines.remove(&number);
-            }
-            None => {}
+    let numbers = (kind.text.device_lines)(text);
+    for ((place, text), number) in (0u32..).zip(text.split('\n')).zip(numbers) {
+        let Some(number) = number else { continue };
+        if kind.text.numbered && (kind.highlight)(text).len() == 1 {
+            lines.remove(&number);
+        } else {
+            lines.insert(number, Line { place, text });
         }
     }
     lines
@@ -152,15 +169,17 @@ fn same(kind: &Kind, one: &str, other: &str, counts: fn(HighlightClass) -> bool)
         return true;
     }
     let parts = |line: &str| {
+        let is_kept = |class| kind.text.keeps_comments || class != HighlightClass::Comment;
         let parts = (kind.highlight)(line)
             .into_iter()
-            .filter(|part| counts(part.class));
+            .filter(|part| counts(part.class) && is_kept(part.class));
         let words = parts.map(|part| {
             let range = part.span.range();
             let word: String = line.chars().skip(range.start).take(range.len()).collect();
-            match part.class {
-                HighlightClass::Text => word,
-                _ => word.to_ascii_uppercase(),
+            if kind.text.ignores_case && part.class != HighlightClass::Text {
+                word.to_ascii_uppercase()
+            } else {
+                word
             }
         });
         words.collect::<Vec<String>>()
@@ -182,6 +201,19 @@ mod tests {
             .into_iter()
             .map(|difference| difference.number)
             .collect()
+    }
+
+    #[test]
+    fn lines_without_numbers_are_counted() {
+        let kind = kind("smartmotor").unwrap();
+        let text = "'OUT\nP=1000 G   'GO\n\nTWAIT\na=1\nEND";
+        let differ = |listing| differences(kind, text, listing).len();
+        assert_eq!(differ("P=1000 G\nTWAIT\na=1\nEND\n"), 0);
+        assert_eq!(differ("P=1000 G\nTWAIT\nA=1\nEND\n"), 1);
+        assert_eq!(differ("P=1000 G\nTWAIT\nEND\n"), 2);
+        let longer = "V=1\nP=1000 G\nTWAIT\na=1\nEND";
+        let moved: Vec<(u32, u32)> = same_lines(kind, text, longer).into_iter().collect();
+        assert_eq!(moved, [(1, 1), (3, 2), (4, 3), (5, 4)]);
     }
 
     #[test]

@@ -20,6 +20,7 @@ fn project() -> Project {
                 folded: BTreeSet::from(["machine".to_owned()]),
                 shown: Some("terminal".to_owned()),
             },
+            terminal: None,
             others: Vec::new(),
         },
         device: Device {
@@ -116,6 +117,7 @@ fn work_with_several_controllers_needs_version_2() {
         text: "10 END".to_owned(),
         breakpoints: BTreeSet::new(),
         line: LineSettings::new(1200),
+        terminal: None,
         device: project.device.clone(),
     });
     let file = project.file();
