@@ -83,6 +83,8 @@ pub struct TextRules {
     pub ignores_case: bool,
     /// Comments are kept with the program.
     pub keeps_comments: bool,
+    /// What a controller lists that has no program.
+    pub empty: &'static str,
     /// For each line of a text, parted by line feeds: the controller's own line that it becomes.
     pub device_lines: fn(&str) -> Vec<Option<u32>>,
 }
@@ -168,6 +170,7 @@ pub const KINDS: &[Kind] = &[
             numbered: true,
             ignores_case: true,
             keeps_comments: true,
+            empty: "",
             device_lines: mc600::diagnose::device_lines,
         },
         first_program: mc600::first_steps::PROGRAM,
@@ -194,6 +197,7 @@ pub const KINDS: &[Kind] = &[
             numbered: false,
             ignores_case: false,
             keeps_comments: false,
+            empty: "END",
             device_lines: smartmotor::diagnose::device_lines,
         },
         first_program: smartmotor::first_steps::PROGRAM,

@@ -12,7 +12,8 @@ use crate::state::{Device, Store, words};
 pub(super) fn Io(store: Store) -> impl IntoView {
     let kind = Memo::new(move |_| store.kind().id);
     move || {
-        kind.track();
+        // Read, not only tracked: a memo that nobody reads is not computed.
+        kind.get();
         let inputs = store
             .wiring
             .with_untracked(Wiring::inputs)

@@ -323,7 +323,7 @@ impl EditorState {
             (Some(_), _) if self.changed => Agreement::EditorChanged,
             (Some(_), _) => Agreement::Same,
             (None, None) => Agreement::Unknown,
-            (None, Some(listing)) if listing.is_empty() => Agreement::NotLoaded,
+            (None, Some(listing)) if self.is_empty(listing) => Agreement::NotLoaded,
             (None, Some(_)) => Agreement::ControllerDiffers,
         }
     }
@@ -358,6 +358,11 @@ impl EditorState {
         self.loaded_now()?.place(device_line)
     }
 
+    /// Whether a listing is that of a controller without a program.
+    fn is_empty(&self, listing: &str) -> bool {
+        listing.trim_end() == self.kind.text.empty
+    }
+
     fn line(&self, line: u32) -> Option<&str> {
         self.text.split('\n').nth(usize::try_from(line).ok()?)
     }
@@ -376,7 +381,9 @@ impl EditorState {
             return;
         };
         let listing = known.listing.as_deref().unwrap_or_default();
-        if listing.is_empty() || !programs::differences(self.kind, &self.text, listing).is_empty() {
+        if self.is_empty(listing)
+            || !programs::differences(self.kind, &self.text, listing).is_empty()
+        {
             return;
         }
         let revision = Revision {

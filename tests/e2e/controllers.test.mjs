@@ -1,0 +1,96 @@
+// Another controller on the bench: it is chosen, worked with as it wants to be, and the work with each is kept.
+
+import assert from "node:assert/strict";
+import { siteTest } from "./harness.mjs";
+import { accessible, eventually, printed, printedEnd } from "./steps.mjs";
+
+const choice = (page) => page.getByRole("combobox", { name: "Controller" }).first();
+
+/** Puts another controller on the bench. */
+async function choose(page, name) {
+  await choice(page).selectOption({ label: name });
+  await page.locator(".status").getByText("idle", { exact: true }).waitFor();
+}
+
+/** The text in the editor. */
+async function text(page) {
+  const lines = await page.locator(".cm-line").allTextContents();
+  return lines.join("\n");
+}
+
+const position = (page) => page.locator(".strip-label", { hasText: "position" }).locator(".value").first();
+
+for (const colorScheme of ["light", "dark"]) {
+  siteTest(`a SmartMotor runs its first program and obeys its host, ${colorScheme}`, async (page, { shot }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await page.emulateMedia({ colorScheme });
+    await printedEnd(page, ">");
+    await choose(page, "Animatics SmartMotor");
+    await page.getByText("Nothing has moved yet").waitFor();
+    assert.match(await text(page), /^'TEN TURNS/);
+    await page.getByText("No problems").waitFor();
+    await accessible(page);
+    await page.getByRole("button", { name: "Run", exact: true }).click();
+    await page.getByText("axis moves", { exact: true }).waitFor();
+    await page.locator(".cm-line.running").first().waitFor();
+    await page.getByText("same as in the controller").waitFor();
+    await page.waitForTimeout(1500);
+    await shot(`smartmotor-${colorScheme}`);
+    await eventually("it has said where it is", async () => {
+      const shown = await printed(page);
+      return /^RUN\nOUT 2000\d\nBACK /.test(shown) || shown;
+    });
+    await page.getByRole("button", { name: "Stop", exact: true }).click();
+    await page.locator(".status").getByText("idle", { exact: true }).waitFor();
+    // What is typed is shown, though the motor does not echo it.
+    await page.getByRole("textbox", { name: "Terminal" }).focus();
+    await page.keyboard.type("P=40000 G\n");
+    await eventually("the motor is at 40000", async () => {
+      const shown = (await position(page).textContent()).replaceAll("\u202f", "");
+      return Math.abs(Number(shown) - 40_000) < 3 || shown;
+    });
+    assert.match(await printed(page), /P=40000 G$/);
+    // A pin read as a voltage.
+    await page.getByRole("button", { name: "Knobs" }).click();
+    await page.getByRole("slider", { name: "Pin UF" }).fill("2.5");
+    await accessible(page);
+    await shot(`smartmotor-knobs-${colorScheme}`);
+    await page.keyboard.press("Escape");
+    await page.getByRole("textbox", { name: "Terminal" }).focus();
+    await page.keyboard.type("RUFA\n");
+    await printedEnd(page, "RUFA\n512");
+  });
+}
+
+siteTest("the work with each controller is kept", async (page) => {
+  await printedEnd(page, ">");
+  await page.keyboard.type("10 PRINT 6*7\nSAVE \"B:SEVEN\"\n");
+  await printedEnd(page, ">SAVE \"B:SEVEN\"\n>");
+  const field = page.getByRole("textbox", { name: "Program" });
+  const write = async (program) => {
+    await field.click();
+    await page.keyboard.press("Control+a");
+    await page.keyboard.insertText(program);
+  };
+  await write("10 REM MINE");
+  await choose(page, "Animatics SmartMotor");
+  await eventually("its first program is there", async () => (await text(page)).startsWith("'TEN"));
+  await write("a=42\nEPTR=0 VST(a,1)\nRa\nEND");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await printedEnd(page, "42");
+  await page.waitForTimeout(1200);
+  await page.reload();
+  await eventually("the SmartMotor is on the bench again", async () => (await choice(page).inputValue()) === "smartmotor");
+  await eventually("its program is there", async () => (await text(page)).startsWith("a=42"));
+  await page.getByText("same as in the controller").waitFor();
+  await choose(page, "Danaher MC-600");
+  await eventually("the other program is there", async () => (await text(page)) === "10 REM MINE");
+  await printedEnd(page, ">");
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.type("RUN \"B:SEVEN\"\n");
+  await printedEnd(page, "\n 42\n>");
+  await choose(page, "Animatics SmartMotor");
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.type("EPTR=0 VLD(b,1) Rb\n");
+  await printedEnd(page, "\n42");
+});
