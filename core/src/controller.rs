@@ -23,6 +23,10 @@ pub trait Controller {
     fn record(&self, row: &mut Vec<f64>);
     /// Small plain data for every frame of a display; [`Debug::Read`] tells the rest.
     fn status(&self) -> Status;
+    /// What its front panel shows; most controllers have none.
+    fn panel(&self) -> Option<Panel> {
+        None
+    }
     /// Breakpoints, stepping, reading and writing.
     fn debug(&mut self, command: Debug) -> DebugReply;
     /// Puts text where the controller keeps programs or files, the way its user would, but taking no time.
@@ -237,6 +241,27 @@ pub struct Status {
     pub error: Option<String>,
     /// Grows with every change of the device's program, whoever made it.
     pub revision: u64,
+}
+
+/// What a front panel shows; its keys are [`ControllerInfo::keys`]. All blank while the station is off.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub struct Panel {
+    /// The text display at its full width, blanks and all.
+    pub display: String,
+    /// Every LED by its legend.
+    pub leds: Vec<(String, Led)>,
+    /// The numeric displays by their axes; blank while dark.
+    pub tracking: Vec<(String, String)>,
+}
+
+/// How an LED stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[allow(missing_docs)]
+pub enum Led {
+    #[default]
+    Off,
+    On,
+    Flashing,
 }
 
 /// What the program does.
