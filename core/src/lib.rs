@@ -28,3 +28,4 @@ pub mod servo;
 pub mod smartmotor;
 pub mod time;
 pub mod trace;
+pub mod unidex3;
