@@ -16,7 +16,7 @@ pub struct Feedrate(u64);
 
 impl Feedrate {
     /// What slew and home have at power-up: 250 steps/s (Appendix 5).
-    pub const DEFAULT: Feedrate = Feedrate(250 << FRACTION_BITS);
+    pub const DEFAULT: Feedrate = Feedrate::fixed(250);
     /// The start/stop frequency at power-up, always that of vector moves: 2 MHz / 65536, 30.52 steps/s (6-16 B).
     pub const START_STOP: Feedrate = Feedrate((2_000_000 << FRACTION_BITS) / 65_536);
     /// One step in 4000 s.
@@ -51,6 +51,11 @@ impl Feedrate {
             let part = u64::try_from(part).unwrap_or(self.0).min(self.0);
             (side > 0).then_some(Feedrate(part.max(Feedrate::SLOWEST)))
         })
+    }
+
+    /// A fixed rate of the unit's own.
+    pub(super) const fn fixed(steps_per_second: u16) -> Feedrate {
+        Feedrate((steps_per_second as u64) << FRACTION_BITS)
     }
 
     /// In steps per second.

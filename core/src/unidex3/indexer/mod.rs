@@ -1,16 +1,35 @@
 //! Everything that makes pulses: the two indexers, their drives and motors, the inputs that interrupt them.
 //!
 //! Orders are plain ([`command`]) and have the time at which they are given; everything inside is timed in
-//! microseconds. The firmware calls [`Indexer::sample`] every millisecond, orders in between, and takes what has
-//! happened from [`Indexer::take_event`].
+//! microseconds. The firmware calls [`Indexer::sample`] every millisecond, orders in between (`orders`), and takes what
+//! has happened from [`Indexer::take_event`].
+//!
+//! `timeline` lets time pass: from one pulse, edge or period of the drives to the next. A `clock` gives pulses, by a
+//! `ramp` if it has one; a `drive` follows them; `inputs` interrupt. `bench` is what a scenario sees.
 
+mod bench;
+mod clock;
 pub mod command;
+mod drive;
 pub mod feedrate;
+mod inputs;
+mod orders;
+mod ramp;
+#[cfg(test)]
+mod tests;
+mod timeline;
+
+pub use bench::{AxisSignals, FAULTS};
 
 pub use command::{Axis, Direction, Edge, Event, Interrupt, Leg, Move, Pair, Ramp, Shape};
 pub use feedrate::Feedrate;
 
 use crate::time::Nanos;
+use clock::{Clock, Job};
+use drive::Drive;
+use inputs::{Counter, Inputs, Joystick};
+use std::collections::VecDeque;
+use timeline::Homing;
 
 /// Registers and moves go up to this magnitude (5-2); whoever orders a move answers for it.
 pub const LARGEST: i64 = 2_000_000_000;
@@ -62,143 +81,60 @@ impl Default for Config {
     }
 }
 
-/// What can be recorded of an axis after a sample, in steps, steps/s and steps/s².
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct AxisSignals {
-    /// The position register.
-    pub register: f64,
-    /// The tracking display: the actual position.
-    pub position: f64,
-    /// Of the clock output.
-    pub rate: f64,
-    /// Of the motor.
-    pub velocity: f64,
-    /// Of the motor, over the last sample.
-    pub acceleration: f64,
-    /// Pulses that the drive has yet to follow.
-    pub error: f64,
-    /// Torque as a fraction of the peak; 0 for a stepper.
-    pub output: f64,
-    /// Of the motor itself, in revolutions since it was built.
-    pub shaft: f64,
-    /// Pulses that an independent counter at the clock output has counted since power-up, signed.
-    pub clocked: f64,
-}
+/// Events that no one takes are forgotten beyond this many, the oldest first.
+const MOST_EVENTS: usize = 64;
 
-/// The two indexers with all that they drive and listen to.
+/// The two indexers with all that they drive and listen to. Times inside are in us.
 #[derive(Debug, Clone)]
 pub struct Indexer {
     config: Config,
-    register: Pair<i64>,
+    powered: bool,
+    now: u64,
+    clocks: Pair<Clock>,
+    homing: Pair<Option<Homing>>,
+    registers: Pair<i64>,
+    drives: Pair<Drive>,
+    /// The limit switches, positive and negative, as last seen.
+    closed: Pair<(bool, bool)>,
+    inputs: Inputs,
+    /// The feedhold inputs are low.
+    feedhold: Pair<bool>,
+    counter: Counter,
+    joystick: Joystick,
+    events: VecDeque<(Nanos, Event)>,
+    /// When the last pulse of a job ended, and how long holds have lasted.
+    finished: u64,
+    held: u64,
+    /// Of the motors in the last two samples, for their acceleration.
+    velocities: Pair<(f64, f64)>,
 }
 
-/// Orders. Each has the time at which it is given, not before the last sample.
+/// How things are.
 impl Indexer {
     /// A unit that is switched off.
     pub fn new(config: Config) -> Indexer {
         Indexer {
             config,
-            register: Pair::same(0),
+            powered: false,
+            now: 0,
+            clocks: Pair::same(Clock::IDLE),
+            homing: Pair::same(None),
+            registers: Pair::same(0),
+            drives: config
+                .reversed
+                .map(|reversed| Drive::new(config.drive, reversed)),
+            closed: Pair::same((false, false)),
+            inputs: Inputs::new(config.debounced),
+            feedhold: Pair::same(false),
+            counter: Counter::NEW,
+            joystick: Joystick::NEW,
+            events: VecDeque::new(),
+            finished: 0,
+            held: 0,
+            velocities: Pair::same((0.0, 0.0)),
         }
     }
 
-    /// Mains on: drives reset, registers and tracking displays 0, nothing armed.
-    pub fn power_up(&mut self, at: Nanos) {
-        let _ = at;
-    }
-
-    /// Mains off: pulses stop and motors coast. What is wired or broken stays.
-    pub fn power_off(&mut self, at: Nanos) {
-        let _ = at;
-    }
-
-    /// RES, G99, clear device: as at power-up.
-    pub fn reset(&mut self, at: Nanos) {
-        self.power_up(at);
-    }
-
-    /// All of the time up to `now`; call it every millisecond, also while switched off.
-    pub fn sample(&mut self, now: Nanos) {
-        let _ = now;
-    }
-
-    /// Begins a move. Whatever an axis of it was doing is ended first.
-    pub fn start(&mut self, at: Nanos, order: &Move) {
-        let _ = (at, order);
-    }
-
-    /// G7, G60, G61: sends the named axes home at these feedrates (hardware home has its own). The registers of an
-    /// axis that has found it are 0.
-    pub fn home(&mut self, at: Nanos, feedrates: Pair<Option<Feedrate>>) {
-        let _ = (at, feedrates);
-    }
-
-    /// An arrow key goes down in slew mode: pulses until [`Indexer::stop_axis`].
-    pub fn slew(&mut self, at: Nanos, axis: Axis, direction: Direction, feedrate: Feedrate) {
-        let _ = (at, axis, direction, feedrate);
-    }
-
-    /// An arrow key goes down in step mode: one pulse, at once.
-    pub fn step(&mut self, at: Nanos, axis: Axis, direction: Direction) {
-        let _ = (at, axis, direction);
-    }
-
-    /// Slew mode with the joystick: its clocks divided by `divisor` (2 to 65535); `None` switches it off. A slew by
-    /// key overrides it; a limit disables it until one of its directions changes.
-    pub fn joystick(&mut self, at: Nanos, divisor: Option<u32>) {
-        let _ = (at, divisor);
-    }
-
-    /// Ends what an axis does; its register is true.
-    pub fn stop_axis(&mut self, at: Nanos, axis: Axis) {
-        let _ = (at, axis);
-    }
-
-    /// Ends all moves, homes, slews and counts, and the joystick; registers are true.
-    pub fn stop(&mut self, at: Nanos) {
-        let _ = at;
-    }
-
-    /// G20n to G41n: arms input 1 to 4; what was armed on it before is void.
-    pub fn arm(&mut self, at: Nanos, input: u8, interrupt: Interrupt, edge: Edge) {
-        let _ = (at, input, interrupt, edge);
-    }
-
-    /// G321 to G325: disarms input 1 to 4; a hold by it is released.
-    pub fn disarm(&mut self, at: Nanos, input: u8) {
-        let _ = (at, input);
-    }
-
-    /// `D=`: begins to count falling edges of the external clock; see [`Indexer::counts_left`].
-    pub fn count(&mut self, at: Nanos, edges: u64) {
-        let _ = (at, edges);
-    }
-
-    /// G10 to G12: the reset pulse to a drive. It takes its fault and its following error away; registers stay.
-    pub fn reset_drive(&mut self, at: Nanos, axis: Axis) {
-        let _ = (at, axis);
-    }
-
-    /// G92: loads a register.
-    pub fn preload(&mut self, at: Nanos, axis: Axis, value: i64) {
-        let _ = at;
-        *self.register.of_mut(axis) = value;
-    }
-
-    /// The clear button of a tracking display.
-    pub fn clear_tracking(&mut self, at: Nanos, axis: Axis) {
-        let _ = (at, axis);
-    }
-
-    /// Changes jumpers; the kinds of drive and home as at the next power-up.
-    pub fn configure_unit(&mut self, at: Nanos, config: Config) {
-        let _ = at;
-        self.config = config;
-    }
-}
-
-/// How things are.
-impl Indexer {
     /// The jumpers.
     pub fn config(&self) -> &Config {
         &self.config
@@ -206,148 +142,89 @@ impl Indexer {
 
     /// The oldest event that was not taken yet, and its time.
     pub fn take_event(&mut self) -> Option<(Nanos, Event)> {
-        None
+        self.events.pop_front()
     }
 
-    /// The position register; true at every instant.
+    /// The position register: all pulses that were given, true at every instant.
     pub fn register(&self, axis: Axis) -> i64 {
-        *self.register.of(axis)
+        *self.registers.of(axis)
     }
 
     /// What a tracking display shows: the encoder's position, or with a stepper the pulses that its drive let through.
     pub fn tracking(&self, axis: Axis) -> i64 {
-        *self.register.of(axis)
+        self.drives.of(axis).tracking()
     }
 
     /// Whether an axis has pulses to give: a move, a home or a slew, also while held.
     pub fn is_busy(&self, axis: Axis) -> bool {
-        let _ = axis;
-        false
+        self.clocks.of(axis).is_busy()
     }
 
     /// Whether an axis is in position (LED CZ); a stepper is whenever it stands.
     pub fn in_position(&self, axis: Axis) -> bool {
-        let _ = axis;
-        true
+        let drive = self.drives.of(axis);
+        drive.in_position() && (self.config.drive == DriveKind::Dc || !self.is_busy(axis))
     }
 
     /// Whether moves and homes are complete: all pulses given, and without corner rounding (G24) both axes in position.
     pub fn is_complete(&self, corner_rounding: bool) -> bool {
-        let _ = corner_rounding;
-        true
+        let gives = |axis| matches!(self.clocks.of(axis).job(), Job::Move | Job::Home);
+        let given = !Axis::BOTH.into_iter().any(gives) && self.now >= self.finished;
+        given && (corner_rounding || Axis::BOTH.into_iter().all(|axis| self.in_position(axis)))
     }
 
     /// When the last pulse of the last move, home or slew ended.
     pub fn finished_at(&self) -> Nanos {
-        Nanos::ZERO
+        Nanos::from_micros(self.finished)
     }
 
-    /// Whether a feedhold stops pulses (and, by the firmware, the program and its dwells).
+    /// Whether an armed input holds the pulses (and, by the firmware, the program and its dwells).
     pub fn is_held(&self) -> bool {
-        false
+        self.inputs.is_holding()
     }
 
-    /// How long feedholds have lasted since power-up, to lengthen a dwell by the difference.
+    /// How long armed inputs have held since power-up, to lengthen a dwell by the difference.
     pub fn held_for(&self) -> Nanos {
-        Nanos::ZERO
+        Nanos::from_micros(self.held)
     }
 
-    /// Edges that `D=` still waits for; 0 when it is done or was ended.
+    /// Edges that `D=` still waits for; 0 when it is done or was ended. The enable output is high meanwhile.
     pub fn counts_left(&self) -> u64 {
-        0
+        self.counter.left()
     }
 
     /// The level of C input 1 to 4, debounced; high is true (5-6 E).
     pub fn input(&self, number: u8) -> bool {
-        let _ = number;
-        true
+        self.inputs.level(number)
     }
 
-    /// The limit switches that are closed now (LED LMT), by the direction that they bar.
-    pub fn limit(&self, axis: Axis) -> Option<Direction> {
-        let _ = axis;
-        None
+    /// All C inputs; bit n is input n + 1.
+    pub fn inputs(&self) -> u8 {
+        self.inputs.levels()
     }
 
-    /// Whether the encoder stands on its marker (LED M).
+    /// Whether the limit switch that bars this direction is closed.
+    pub fn is_barred(&self, axis: Axis, direction: Direction) -> bool {
+        self.powered && self.drives.of(axis).is_barred(direction)
+    }
+
+    /// Whether some limit switch of an axis is closed (LED LMT).
+    pub fn in_limit(&self, axis: Axis) -> bool {
+        self.is_barred(axis, Direction::Positive) || self.is_barred(axis, Direction::Negative)
+    }
+
+    /// Whether the motor stands on its marker, which is once a revolution (LED M).
     pub fn marker(&self, axis: Axis) -> bool {
-        let _ = axis;
-        false
+        self.drives.of(axis).at_marker()
     }
 
-    /// Whether the joystick's clock gives pulses (status byte 10, bit 3).
+    /// Whether the joystick gives pulses (status byte 10, bit 3).
     pub fn joystick_clock(&self) -> bool {
-        false
+        self.joystick.has_clock()
     }
 
-    /// Whether pulses are given, a drive has yet to follow them, or a motor turns.
-    pub fn is_moving(&self) -> bool {
-        false
-    }
-
-    /// Whether the drives hold their motors.
-    pub fn is_enabled(&self) -> bool {
-        true
-    }
-
-    /// What has tripped the drives, in words.
-    pub fn fault_words(&self) -> Option<String> {
-        None
-    }
-
-    /// What can be recorded of an axis now.
-    pub fn signals(&self, axis: Axis) -> AxisSignals {
-        let _ = axis;
-        AxisSignals::default()
-    }
-}
-
-/// The faults that [`Indexer::fault`] knows.
-pub const FAULTS: [&str; 6] = ["drive", "limit+", "limit-", "stall", "encoder", "estop"];
-
-/// What is around the unit on the bench.
-impl Indexer {
-    /// Names that [`Indexer::wire`] knows.
-    pub fn wires() -> Vec<String> {
-        Vec::new()
-    }
-
-    /// Sets a thing outside.
-    ///
-    /// # Errors
-    /// One line if there is no such wire, or the value does not fit.
-    pub fn wire(&mut self, at: Nanos, name: &str, value: f64) -> Result<(), String> {
-        let _ = (at, value);
-        Err(format!("no wire {name}"))
-    }
-
-    /// Breaks something, or mends it: one of [`FAULTS`]; without an axis on both.
-    ///
-    /// # Errors
-    /// One line if there is no such fault or axis.
-    pub fn fault(
-        &mut self,
-        at: Nanos,
-        kind: &str,
-        axis: Option<&str>,
-        active: bool,
-    ) -> Result<(), String> {
-        let _ = (at, axis, active);
-        Err(format!("no fault {kind}"))
-    }
-
-    /// Changes the mechanics behind an axis; see [`crate::plant::configure::KEYS`].
-    ///
-    /// # Errors
-    /// One line if there is no such axis or key, or the value does not fit.
-    pub fn configure(
-        &mut self,
-        at: Nanos,
-        axis: &str,
-        key: &str,
-        value: &str,
-    ) -> Result<(), String> {
-        let _ = (at, axis, key);
-        Err(value.to_owned())
+    /// Whether the joystick's button is down.
+    pub fn joystick_button(&self) -> bool {
+        self.joystick.button
     }
 }
