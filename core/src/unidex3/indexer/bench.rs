@@ -61,7 +61,7 @@ impl Indexer {
     /// * `C1` to `C4`: the level of a C input, 1 (as when nothing is wired) or 0.
     /// * `clock`: the level of the external clock, 1 or 0; `clockrate`: a steady one, 0 to 500,000 Hz.
     /// * `joyx`, `joyy`: the joystick's clocks, to 300,000 Hz, negative in the negative direction; `joybutton` 1 pressed.
-    /// * `feedholdx`, `feedholdy`: the feedhold inputs; 0 stops the clock output of the axis, 1 (nothing wired) lets it.
+    /// * `feedholdx`, `feedholdy`: the feedhold inputs (D298); 0 stops the clock output of the axis, 1 (nothing wired) lets it.
     /// * `homex`, `homey`: 1 presses the home switch wherever the axis is.
     ///
     /// # Errors

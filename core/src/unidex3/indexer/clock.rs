@@ -19,13 +19,17 @@ pub(super) enum Job {
     Joystick,
 }
 
+/// More pulses than there is time for.
+const ENDLESS: u64 = u64::MAX;
+
 /// One clock output. Time is in us; the phase of the step in progress is in parts of [`STEP`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Clock {
     job: Job,
     direction: Direction,
-    /// Pulses to give; without end in home and slew.
-    left: Option<u64>,
+    /// Pulses to give, [`ENDLESS`] in home and slew, and those that are left of them.
+    total: u64,
+    left: u64,
     /// As [`Feedrate::raw`]; 0 stands still.
     rate: u64,
     phase: u64,
@@ -37,7 +41,8 @@ impl Clock {
     pub const IDLE: Clock = Clock {
         job: Job::Idle,
         direction: Direction::Positive,
-        left: None,
+        total: 0,
+        left: 0,
         rate: 0,
         phase: 0,
         ramp: None,
@@ -52,7 +57,8 @@ impl Clock {
         Clock {
             job: Job::Move,
             direction: Direction::of(leg.steps),
-            left: Some(leg.steps.unsigned_abs()),
+            total: leg.steps.unsigned_abs(),
+            left: leg.steps.unsigned_abs(),
             rate: ramp.map_or(leg.feedrate.raw(), |ramp| ramp.rate()),
             phase: 0,
             ramp,
@@ -64,7 +70,8 @@ impl Clock {
         Clock {
             job: Job::Move,
             direction,
-            left: Some(1),
+            total: 1,
+            left: 1,
             rate: STEP,
             ..Clock::IDLE
         }
@@ -81,20 +88,19 @@ impl Clock {
             job,
             direction,
             rate,
+            total: ENDLESS,
+            left: ENDLESS,
             ..Clock::IDLE
         }
     }
 
     /// The joystick's rate, as [`Feedrate::raw`]; the step in progress goes on while the direction stays.
-    pub fn follow_joystick(&mut self, direction: Direction, rate: u64) {
+    pub fn with_joystick(self, direction: Direction, rate: u64) -> Clock {
         let goes_on = self.job == Job::Joystick && self.direction == direction;
-        *self = Clock {
-            job: Job::Joystick,
-            direction,
-            rate,
+        Clock {
             phase: if goes_on { self.phase } else { 0 },
-            ..Clock::IDLE
-        };
+            ..Clock::at_rate(Job::Joystick, direction, rate)
+        }
     }
 
     /// What it does.
@@ -105,6 +111,12 @@ impl Clock {
     /// Which way its pulses count.
     pub fn direction(&self) -> Direction {
         self.direction
+    }
+
+    /// What its down-counter says of the pulses given, signed. Another job begins at 0.
+    pub fn given(&self) -> i64 {
+        let given = i64::try_from(self.total - self.left).unwrap_or(i64::MAX);
+        given * self.direction.sign()
     }
 
     /// In 2^-35 steps/s, 0 when it stands.
@@ -141,17 +153,14 @@ impl Clock {
         let pulse = self.phase >= STEP;
         if pulse {
             self.phase -= STEP;
-            self.left = self.left.map(|left| left.saturating_sub(1));
-            if self.left == Some(0) {
-                *self = Clock {
-                    direction: self.direction,
-                    ..Clock::IDLE
-                };
+            self.left = self.left.saturating_sub(1);
+            if self.left == 0 {
+                (self.job, self.rate, self.ramp) = (Job::Idle, 0, None);
                 return true;
             }
         }
         if let Some(ramp) = &mut self.ramp {
-            let whole = u128::from(self.left.unwrap_or(0)) * u128::from(STEP);
+            let whole = u128::from(self.left) * u128::from(STEP);
             ramp.pass(elapsed, whole.saturating_sub(u128::from(self.phase)));
             self.rate = ramp.rate();
         }

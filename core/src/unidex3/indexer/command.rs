@@ -175,7 +175,7 @@ pub enum Shape {
 /// Feedrates of a whole ramp.
 pub(super) const RAMP_STEPS: u64 = 24;
 /// The shortest time between two of them, in us.
-const SHORTEST_SAMPLE_US: u64 = 1000;
+pub(super) const SHORTEST_SAMPLE_US: u64 = 1000;
 
 impl Ramp {
     /// `G37=` and `G39=`: to the whole feedrate in `milliseconds`, 23 to 4,000,000 (power-up: 184).

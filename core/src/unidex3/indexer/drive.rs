@@ -118,7 +118,7 @@ impl Drive {
         self.zero += self.tracking() - shown;
     }
 
-    /// A clock pulse. A closed limit switch holds back what leads further into it (4-10).
+    /// A clock pulse. A closed limit switch holds back what leads further into it (4-10, D300).
     #[inline]
     pub fn clock(&mut self, direction: Direction) {
         self.clocked += direction.sign();
@@ -184,7 +184,7 @@ impl Drive {
         self.powered && !self.tripped && !self.broken.drive && !self.broken.emergency_stop
     }
 
-    /// What has tripped it, in words.
+    /// What has tripped it, in words (D301).
     pub fn fault(&self) -> Option<&'static str> {
         let broken = [
             (self.broken.emergency_stop, "emergency stop"),

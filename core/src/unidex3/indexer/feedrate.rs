@@ -9,7 +9,7 @@ pub(super) const STEP: u64 = 1_000_000 << FRACTION_BITS;
 /// Bits of a vector's length below one step.
 const LENGTH_BITS: u32 = 16;
 
-/// A rate of steps, in 2^-35 steps/s, above zero. A period that is no whole part of a second is rounded up, so that a
+/// A rate of steps, in 2^-35 steps/s, above zero (D290). A period that is no whole part of a second is rounded up, so that a
 /// pulse never misses the microsecond that it belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Feedrate(u64);
@@ -34,7 +34,7 @@ impl Feedrate {
         valid.then_some(Feedrate(STEP.div_ceil(u64::from(microseconds.max(1)))))
     }
 
-    /// `G76= n`: 31 to 166,500 steps/s; `None` outside (6-16 B).
+    /// `G76= n`: 31 to 166,500 steps/s; `None` outside (6-16 B, D292).
     pub fn start_stop(steps_per_second: u32) -> Option<Feedrate> {
         let valid = (31..=166_500).contains(&steps_per_second);
         valid.then_some(Feedrate(u64::from(steps_per_second) << FRACTION_BITS))

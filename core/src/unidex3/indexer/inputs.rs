@@ -141,7 +141,7 @@ impl Input {
     }
 }
 
-/// The external clock, and the count of `D=` (5-3).
+/// The external clock, and the count of `D=` (5-3, D303).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Counter {
     left: u64,
@@ -198,7 +198,7 @@ impl Counter {
     }
 }
 
-/// The joystick: two clocks with a direction each (2-5).
+/// The joystick: two clocks with a direction each (2-5, D302).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Joystick {
     /// Pulses a second, as 2^-35.

@@ -43,7 +43,7 @@ pub struct Config {
     pub home: HomeKind,
     /// JP5, JP7 out: direction N, by axis.
     pub reversed: Pair<bool>,
-    /// JP47, JP46: width of a clock pulse in us, 1 to 4, by axis.
+    /// JP47, JP46: width of a clock pulse in us, 1 to 4, by axis (D305).
     pub clock_width_us: Pair<u8>,
     /// JP20 to JP23 at 1-2: C1 to C4 are debounced.
     pub debounced: [bool; 4],
@@ -92,6 +92,7 @@ pub struct Indexer {
     now: u64,
     clocks: Pair<Clock>,
     homing: Pair<Option<Homing>>,
+    /// Where the jobs of the clocks began.
     registers: Pair<i64>,
     drives: Pair<Drive>,
     /// The limit switches, positive and negative, as last seen.
@@ -147,7 +148,7 @@ impl Indexer {
 
     /// The position register: all pulses that were given, true at every instant.
     pub fn register(&self, axis: Axis) -> i64 {
-        *self.registers.of(axis)
+        *self.registers.of(axis) + self.clocks.of(axis).given()
     }
 
     /// What a tracking display shows: the encoder's position, or with a stepper the pulses that its drive let through.
@@ -208,9 +209,12 @@ impl Indexer {
         self.powered && self.drives.of(axis).is_barred(direction)
     }
 
-    /// Whether some limit switch of an axis is closed (LED LMT).
-    pub fn in_limit(&self, axis: Axis) -> bool {
-        self.is_barred(axis, Direction::Positive) || self.is_barred(axis, Direction::Negative)
+    /// The direction that a closed limit switch of an axis bars, if one is closed (LED LMT); the positive one if both
+    /// are.
+    pub fn limit(&self, axis: Axis) -> Option<Direction> {
+        [Direction::Positive, Direction::Negative]
+            .into_iter()
+            .find(|&direction| self.is_barred(axis, direction))
     }
 
     /// Whether the motor stands on its marker, which is once a revolution (LED M).

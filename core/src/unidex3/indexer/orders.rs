@@ -9,7 +9,7 @@ use crate::time::Nanos;
 
 impl Indexer {
     /// Mains on: drives reset, registers and tracking displays 0, nothing armed. A limit switch that is closed now is
-    /// no event: [`Indexer::in_limit`] tells of it.
+    /// no event: [`Indexer::limit`] tells of it.
     pub fn power_up(&mut self, at: Nanos) {
         self.advance(at);
         self.powered = true;
@@ -26,7 +26,7 @@ impl Indexer {
         }
     }
 
-    /// RES, G99, clear device: as at power-up.
+    /// RES, G99, clear device: as at power-up (D304).
     pub fn reset(&mut self, at: Nanos) {
         self.power_up(at);
     }
@@ -155,7 +155,7 @@ impl Indexer {
     /// G92: loads a register.
     pub fn preload(&mut self, at: Nanos, axis: Axis, value: i64) {
         self.advance(at);
-        *self.registers.of_mut(axis) = value;
+        *self.registers.of_mut(axis) = value - self.clocks.of(axis).given();
     }
 
     /// The clear button of a tracking display.

@@ -1,6 +1,6 @@
-//! The feedrate of a move with acceleration: up in at most 24 steps, cruise, down in as many (6-16 A).
+//! The feedrate of a move with acceleration: up in at most 24 steps, cruise, down in as many (6-16 A, D291).
 
-use super::command::{Leg, RAMP_STEPS, Ramp, Shape};
+use super::command::{Leg, RAMP_STEPS, Ramp, SHORTEST_SAMPLE_US, Shape};
 use super::feedrate::STEP;
 
 /// Denominator of [`EXPONENTIAL`].
@@ -63,7 +63,7 @@ impl Ramping {
             shape: if whole { ramp.shape } else { Shape::Linear },
             top,
             start_stop,
-            sample_us: ramp.sample_us,
+            sample_us: ramp.sample_us.max(SHORTEST_SAMPLE_US),
             highest: if whole {
                 RAMP_STEPS
             } else {

@@ -96,7 +96,6 @@ impl Indexer {
             return;
         }
         let direction = self.clocks.of(axis).direction();
-        *self.registers.of_mut(axis) += direction.sign();
         self.drives.of_mut(axis).clock(direction);
         if !self.clocks.of(axis).is_busy() {
             self.finished = self.now + u64::from(*self.config.clock_width_us.of(axis));
@@ -109,6 +108,7 @@ impl Indexer {
             self.finished = self.now;
         }
         if self.powered {
+            *self.registers.of_mut(axis) = self.register(axis);
             *self.clocks.of_mut(axis) = clock;
             *self.homing.of_mut(axis) = homing;
         }
@@ -129,12 +129,12 @@ impl Indexer {
             return;
         }
         for axis in Axis::BOTH {
-            let clock = self.clocks.of_mut(axis);
+            let clock = *self.clocks.of(axis);
             match (self.joystick.rate(axis), clock.job()) {
                 (Some((direction, rate)), Job::Idle | Job::Joystick) => {
-                    clock.follow_joystick(direction, rate);
+                    self.give(axis, clock.with_joystick(direction, rate), None);
                 }
-                (None, Job::Joystick) => *clock = Clock::IDLE,
+                (None, Job::Joystick) => self.give(axis, Clock::IDLE, None),
                 _ => {}
             }
         }
@@ -171,7 +171,8 @@ impl Indexer {
         }
     }
 
-    /// A switch that closes stops both indexers; one that opens changes nothing. Switches are not debounced (4-10).
+    /// A switch that closes stops both indexers; one that opens changes nothing. Switches are not debounced (4-10,
+    /// D299).
     fn limits_changed(&mut self, closed: Pair<(bool, bool)>) {
         let before = std::mem::replace(&mut self.closed, closed);
         for axis in Axis::BOTH {

@@ -148,3 +148,67 @@ fn a_million_random_moves_count_true() {
     wander(3, 600_000, DriveKind::StepperHigh);
     wander(4, 500_000, DriveKind::Dc);
 }
+
+/// One order, wire, fault or jumper of any kind at any microsecond.
+fn anything(unit: &mut Unit, random: &mut Random) {
+    let at = unit.now + Nanos::from_micros(random.below(1000));
+    let axis = Axis::BOTH[random.below(2) as usize];
+    let direction = Direction::of(random.below(2) as i64 - 1);
+    let input = random.below(6) as u8;
+    let indexer = &mut unit.indexer;
+    match random.below(18) {
+        0..3 => indexer.start(at, &random.order()),
+        3 => indexer.slew(at, axis, direction, random.feedrate()),
+        4 => indexer.step(at, axis, direction),
+        5 => indexer.joystick(at, Some(random.below(70_000) as u32)),
+        6 => indexer.stop_axis(at, axis),
+        7 => {
+            let interrupt = [Interrupt::Feedhold, Interrupt::Abort][random.below(2) as usize];
+            let edge = [Edge::Falling, Edge::Rising][random.below(2) as usize];
+            indexer.arm(at, input, interrupt, edge);
+        }
+        8 => indexer.disarm(at, input),
+        9 => indexer.count(at, random.below(100)),
+        10 => indexer.reset_drive(at, axis),
+        11 => indexer.clear_tracking(at, axis),
+        12 => indexer.set_config(
+            at,
+            Config {
+                drive: [DriveKind::Dc, DriveKind::StepperLow][random.below(2) as usize],
+                reversed: Pair::same(random.below(2) == 0),
+                ..Config::default()
+            },
+        ),
+        13..16 => {
+            let wires = Indexer::wires();
+            let name = &wires[random.below(wires.len() as u64) as usize];
+            let value = [-2000.0, 0.0, 1.0, 1.0, 54_321.0][random.below(5) as usize];
+            let _ = indexer.wire(at, name, value);
+        }
+        16 => {
+            let kind = FAULTS[random.below(6) as usize];
+            let name = ["x", "y"][random.below(2) as usize];
+            let active = random.below(3) == 0;
+            indexer.fault(at, kind, Some(name), active).unwrap();
+        }
+        _ => indexer.stop(at),
+    }
+}
+
+#[test]
+fn whatever_is_ordered_no_pulse_is_lost() {
+    for seed in 0..20 {
+        let mut random = Random(seed);
+        let mut unit = Unit::dc();
+        for _ in 0..500 {
+            anything(&mut unit, &mut random);
+            unit.run(1 + random.below(5));
+            assert_counted(&unit);
+            let copy = unit.indexer.clone();
+            assert!(copy.signals(Axis::X).shaft.is_finite());
+        }
+        unit.indexer.power_off(unit.now);
+        unit.until(|indexer| !indexer.is_moving());
+        assert_eq!(unit.registers(), (0, 0));
+    }
+}

@@ -19,7 +19,7 @@ fn a_limit_stops_both_axes_with_true_registers() {
     assert!(unit.indexer.is_complete(true));
     assert!(unit.indexer.is_barred(Axis::X, Direction::Positive));
     assert!(!unit.indexer.is_barred(Axis::X, Direction::Negative));
-    assert!(unit.indexer.in_limit(Axis::X) && !unit.indexer.in_limit(Axis::Y));
+    assert!(unit.indexer.limit(Axis::Y).is_none());
 }
 
 /// 4-10 B: a move further into a limit counts in the register only.
@@ -48,7 +48,7 @@ fn a_move_further_into_a_limit_leaves_register_and_display_different() {
             (unit.registers().0, unit.tracking().0),
             (stood - 200, stood - 400)
         );
-        assert!(!unit.indexer.in_limit(Axis::X));
+        assert!(unit.indexer.limit(Axis::X).is_none());
         assert_eq!(unit.events(), []);
     }
 }
@@ -76,10 +76,10 @@ fn a_limit_at_power_up_is_a_state_and_no_event() {
     let mut unit = Unit::stepper();
     unit.indexer.power_off(unit.now);
     unit.fault("limit+", "x", true);
-    assert!(!unit.indexer.in_limit(Axis::X));
+    assert!(unit.indexer.limit(Axis::X).is_none());
     unit.indexer.power_up(unit.now);
     unit.run(10);
-    assert!(unit.indexer.in_limit(Axis::X));
+    assert_eq!(unit.indexer.limit(Axis::X), Some(Direction::Positive));
     assert_eq!(unit.events(), []);
 }
 
