@@ -72,8 +72,19 @@ pub struct ControllerInfo {
     pub keys: Vec<&'static str>,
     /// Time between samples.
     pub sample: Nanos,
-    /// It passes on what comes in: stations of its kind share one host line, one behind the other.
-    pub chained: bool,
+    /// How stations of its kind share a host line.
+    pub sharing: Sharing,
+}
+
+/// How stations of a kind share the host's serial line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sharing {
+    /// Each has a line of its own.
+    Alone,
+    /// One behind the other: each passes on what comes in.
+    Chain,
+    /// All hear the host, and the host hears all. A level that one puts out reaches the one before it.
+    Bus,
 }
 
 /// An option of a kind of controller.

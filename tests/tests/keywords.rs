@@ -47,3 +47,8 @@ fn check(controller: &str, list: &str) {
 fn mc600_has_every_word_of_its_manual() {
     check("mc600", include_str!("../keywords/mc600.tsv"));
 }
+
+#[test]
+fn unidex3_has_every_word_of_its_manual() {
+    check("unidex3", include_str!("../keywords/unidex3.tsv"));
+}

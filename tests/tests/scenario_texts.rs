@@ -37,7 +37,7 @@ fn texts_that_are_no_scenario() {
         (
             "bench mc601",
             1,
-            "no controller is called `mc601`; there are: mc600",
+            "no controller is called `mc601`; there are: mc600, smartmotor, unidex3",
         ),
         (
             "bench mc600 as 1st",

@@ -11,7 +11,7 @@ use super::value::Text;
 use super::{FACTORY_PASSWORD, Mc600, Mode};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
-    Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
+    Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::language::latin1;
 use crate::serial::LineSettings;
@@ -56,7 +56,7 @@ pub(super) fn info() -> ControllerInfo {
         faults: vec!["drive", "limit+", "limit-", "stall", "encoder", "estop"],
         keys: Vec::new(),
         sample: SAMPLE,
-        chained: false,
+        sharing: Sharing::Alone,
     }
 }
 

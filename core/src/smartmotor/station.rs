@@ -11,7 +11,7 @@ use super::store::strip;
 use super::{SmartMotor, vm};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
-    Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
+    Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::exec::Wait;
 use crate::language::latin1;
@@ -59,7 +59,7 @@ pub(super) fn info() -> ControllerInfo {
         faults: FAULTS.into_iter().chain([MEMORY_FAULT]).collect(),
         keys: Vec::new(),
         sample: SAMPLE,
-        chained: true,
+        sharing: Sharing::Chain,
     }
 }
 
