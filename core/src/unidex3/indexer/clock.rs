@@ -65,7 +65,7 @@ impl Clock {
         }
     }
 
-    /// A single pulse in the next microsecond.
+    /// A single pulse, with the next [`Clock::pass`] of a microsecond.
     pub fn single(direction: Direction) -> Clock {
         Clock {
             job: Job::Move,

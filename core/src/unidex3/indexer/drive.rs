@@ -23,10 +23,12 @@ const MECHANICS: AxisParameters = AxisParameters {
 const POSITION_GAIN: f64 = 50.0;
 /// Torque for each rev/s that the tachometer misses: a velocity loop of 400 rad/s.
 const VELOCITY_GAIN: f64 = 400.0 / 3000.0;
+/// Torque added in the direction of the error: what turns the motor at all on a new bench.
+const FRICTION: f64 = MECHANICS.coulomb_friction;
 /// Torque that the integrator gathers in a second for each rev of error, and the most that it gives.
 const INTEGRAL_GAIN: f64 = 200.0;
 const INTEGRAL_LIMIT: f64 = 0.5;
-/// The integrator works below this speed only, in rev/s: it overcomes friction and weight, not lag.
+/// The integrator works below this speed only, in rev/s: it overcomes more friction and weight, not lag.
 const INTEGRAL_SPEED: f64 = 0.1;
 /// A following error beyond this trips the servo, in steps.
 const LARGEST_ERROR: f64 = 8192.0;
@@ -175,7 +177,12 @@ impl Drive {
             self.integral = integral.clamp(-INTEGRAL_LIMIT, INTEGRAL_LIMIT);
         }
         let velocity = POSITION_GAIN * revolutions - self.plant.velocity();
-        self.torque = VELOCITY_GAIN * velocity + self.integral;
+        let friction = if error == 0.0 {
+            0.0
+        } else {
+            FRICTION.copysign(error)
+        };
+        self.torque = VELOCITY_GAIN * velocity + friction + self.integral;
         self.plant.step(self.torque);
     }
 

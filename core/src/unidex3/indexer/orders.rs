@@ -99,12 +99,16 @@ impl Indexer {
         self.give(axis, Clock::endless(Job::Slew, direction, feedrate), None);
     }
 
-    /// An arrow key goes down in step mode: one pulse, at once. A busy axis takes no notice.
+    /// An arrow key goes down in step mode: one pulse, at once. An axis that is busy or held takes no notice.
     pub fn step(&mut self, at: Nanos, axis: Axis, direction: Direction) {
         self.advance(at);
-        if !self.is_busy(axis) {
-            self.give(axis, Clock::single(direction), None);
+        if self.is_busy(axis) || self.is_held() || *self.feedhold.of(axis) {
+            return;
         }
+        self.give(axis, Clock::single(direction), None);
+        let given = self.clocks.of_mut(axis).pass(1);
+        self.pulse(axis, given);
+        self.look_at_switches();
     }
 
     /// Slew mode with the joystick: its clocks divided by `divisor` (2 to 65535); `None` ends it. A slew by key

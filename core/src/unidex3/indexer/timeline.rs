@@ -91,7 +91,7 @@ impl Indexer {
 
     /// A pulse leaves a clock output.
     #[inline]
-    fn pulse(&mut self, axis: Axis, given: bool) {
+    pub(super) fn pulse(&mut self, axis: Axis, given: bool) {
         if !given {
             return;
         }

@@ -263,9 +263,13 @@ fn a_servo_takes_the_highest_feedrate_without_a_ramp() {
 #[test]
 fn steps_slews_and_the_joystick() {
     let mut unit = Unit::stepper();
-    unit.indexer
-        .step(unit.now, Axis::Y, command::Direction::Negative);
-    unit.run(1);
+    for direction in [
+        Direction::Negative,
+        Direction::Negative,
+        Direction::Positive,
+    ] {
+        unit.indexer.step(unit.now, Axis::Y, direction);
+    }
     assert_eq!(unit.registers(), (0, -1));
 
     let slew = Feedrate::DEFAULT;
