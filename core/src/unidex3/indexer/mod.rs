@@ -92,6 +92,8 @@ pub struct Indexer {
     now: u64,
     clocks: Pair<Clock>,
     homing: Pair<Option<Homing>>,
+    /// The axes of the last move or home: those that it waits for without corner rounding.
+    ordered: Pair<bool>,
     /// Where the jobs of the clocks began.
     registers: Pair<i64>,
     drives: Pair<Drive>,
@@ -120,6 +122,7 @@ impl Indexer {
             now: 0,
             clocks: Pair::same(Clock::IDLE),
             homing: Pair::same(None),
+            ordered: Pair::same(false),
             registers: Pair::same(0),
             drives: config
                 .reversed
@@ -167,11 +170,13 @@ impl Indexer {
         drive.in_position() && (self.config.drive == DriveKind::Dc || !self.is_busy(axis))
     }
 
-    /// Whether moves and homes are complete: all pulses given, and without corner rounding (G24) both axes in position.
+    /// Whether moves and homes are complete: all pulses given, and without corner rounding (G24) the axes of the last
+    /// one in position.
     pub fn is_complete(&self, corner_rounding: bool) -> bool {
         let gives = |axis| matches!(self.clocks.of(axis).job(), Job::Move | Job::Home);
         let given = !Axis::BOTH.into_iter().any(gives) && self.now >= self.finished;
-        given && (corner_rounding || Axis::BOTH.into_iter().all(|axis| self.in_position(axis)))
+        let rests = |axis| !*self.ordered.of(axis) || self.in_position(axis);
+        given && (corner_rounding || Axis::BOTH.into_iter().all(rests))
     }
 
     /// When the last pulse of the last move, home or slew ended.

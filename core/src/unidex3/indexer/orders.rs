@@ -64,6 +64,7 @@ impl Indexer {
             _ => 0,
         });
         let longest = samples.x.max(samples.y);
+        self.ordered = legs.map(|leg| leg.is_some());
         for axis in Axis::BOTH {
             if let Some(leg) = legs.of(axis) {
                 let samples = if *vector { longest } else { *samples.of(axis) };
@@ -76,6 +77,7 @@ impl Indexer {
     /// the tracking display of an axis that has found it are 0 (D295).
     pub fn home(&mut self, at: Nanos, feedrates: Pair<Option<Feedrate>>) {
         self.advance(at);
+        self.ordered = feedrates.map(|feedrate| feedrate.is_some());
         for axis in Axis::BOTH {
             let Some(asked) = *feedrates.of(axis) else {
                 continue;

@@ -135,6 +135,46 @@ fn limit(unit: &mut Unit, random: &mut Random) {
     fault(unit, unit.now, false);
 }
 
+/// Random moves between limit switches: a limit loses no count, and what its drive holds back is all that register and
+/// tracking display differ by.
+#[test]
+fn between_limits_every_pulse_is_accounted_for() {
+    for (drive, seed) in [(DriveKind::StepperLow, 5), (DriveKind::Dc, 6)] {
+        let mut random = Random(seed);
+        let mut unit = Unit::new(drive);
+        unit.configure("x", "limits", "-300..300");
+        unit.configure("y", "limits", "-100..500");
+        let mut limits = 0;
+        for _ in 0..500 {
+            let barred = |unit: &Unit, axis| {
+                [Direction::Positive, Direction::Negative]
+                    .map(|direction| unit.indexer.is_barred(axis, direction))
+            };
+            let before = (unit.registers(), unit.tracking());
+            let free = barred(&unit, Axis::X) == [false; 2] && barred(&unit, Axis::Y) == [false; 2];
+            unit.start(random.order());
+            unit.until(|indexer| indexer.is_complete(true) && !indexer.is_moving());
+            assert_counted(&unit);
+            limits += unit.events().len();
+            let ((x0, y0), (tx0, ty0)) = before;
+            let ((x, y), (tx, ty)) = (unit.registers(), unit.tracking());
+            if free && drive == DriveKind::StepperLow {
+                assert_eq!((x - x0, y - y0), (tx - tx0, ty - ty0));
+            }
+            assert!(
+                (x - x0).abs() >= (tx - tx0).abs() - 1,
+                "{x0} {x} {tx0} {tx}"
+            );
+            assert!(
+                (y - y0).abs() >= (ty - ty0).abs() - 1,
+                "{y0} {y} {ty0} {ty}"
+            );
+        }
+        assert!(limits > 20, "{limits}");
+        assert_ne!(unit.registers(), unit.tracking());
+    }
+}
+
 #[test]
 fn a_thousand_random_moves_count_true() {
     wander(1, 500, DriveKind::StepperLow);

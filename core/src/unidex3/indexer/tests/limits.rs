@@ -152,6 +152,19 @@ fn broken_drives_lose_the_motor_and_keep_the_count() {
     assert_eq!(unit.indexer.signals(Axis::X).shaft, 0.5);
 }
 
+/// 5-2: the other axis is not waited for.
+#[test]
+fn a_move_waits_for_the_drives_of_its_own_axes() {
+    let mut unit = Unit::dc();
+    unit.fault("drive", "y", true);
+    unit.start(x(100, 1000));
+    unit.until(|indexer| indexer.is_complete(false));
+    let order = Move::independent(Some(leg(100, 1000)), Some(leg(1, 1000)), None);
+    unit.start(order);
+    unit.run(1000);
+    assert!(unit.indexer.is_complete(true) && !unit.indexer.is_complete(false));
+}
+
 #[test]
 fn an_emergency_stop_takes_the_torque_until_the_drive_is_reset() {
     let mut unit = Unit::dc();
