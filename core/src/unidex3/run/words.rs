@@ -92,6 +92,10 @@ impl Run {
             return Err(Trouble::IllegalCharacter);
         }
         let value = scan.within(1, 4_000_000_000).ok_or(Trouble::F)?;
+        if scan.peek() == Some(b'=') {
+            // F1= is a register operation, in G47 alone.
+            return Err(Trouble::IllegalCharacter);
+        }
         let feedrate = match period {
             true => Feedrate::period(value),
             false => Feedrate::frequency(value),
