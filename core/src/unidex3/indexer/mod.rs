@@ -171,7 +171,7 @@ impl Indexer {
     }
 
     /// Whether moves and homes are complete: all pulses given, and without corner rounding (G24) the axes of the last
-    /// one in position.
+    /// one in position (D306).
     pub fn is_complete(&self, corner_rounding: bool) -> bool {
         let gives = |axis| matches!(self.clocks.of(axis).job(), Job::Move | Job::Home);
         let given = !Axis::BOTH.into_iter().any(gives) && self.now >= self.finished;
@@ -230,10 +230,5 @@ impl Indexer {
     /// Whether the joystick gives pulses (status byte 10, bit 3).
     pub fn joystick_clock(&self) -> bool {
         self.joystick.has_clock()
-    }
-
-    /// Whether the joystick's button is down.
-    pub fn joystick_button(&self) -> bool {
-        self.joystick.button
     }
 }

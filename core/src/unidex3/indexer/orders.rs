@@ -101,7 +101,8 @@ impl Indexer {
         self.give(axis, Clock::endless(Job::Slew, direction, feedrate), None);
     }
 
-    /// An arrow key goes down in step mode: one pulse, at once. An axis that is busy or held takes no notice.
+    /// An arrow key goes down in step mode: one pulse, at once. An axis that is busy or held takes no notice
+    /// (D307).
     pub fn step(&mut self, at: Nanos, axis: Axis, direction: Direction) {
         self.advance(at);
         if self.is_busy(axis) || self.is_held() || *self.feedhold.of(axis) {
