@@ -1,5 +1,7 @@
 //! What is wrong with a program, told from its text alone, and the colours of its lines.
 
+use super::keys::{self, Key};
+use super::remote;
 use super::words::{self, Objection, codewords, packed};
 use crate::language::{Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
 
@@ -84,42 +86,109 @@ pub fn device_lines(text: &str) -> Vec<Option<u32>> {
     lines
 }
 
-/// The words of the keyword table that a line uses.
+/// The words of the keyword table that a line uses: one of a program, of the controller, or of keys.
 pub fn words(line: &str) -> Vec<&'static str> {
-    let rows = super::keywords::rows();
-    let line = latin1::bytes(line);
+    let mut found: Vec<String> = Vec::new();
+    let keys: Option<Vec<(Key, bool)>> = line.split_whitespace().map(keys::named).collect();
+    if let Some(keys) = keys {
+        let words = keys
+            .iter()
+            .filter_map(|&(key, shifted)| keys::word(key, shifted));
+        found.extend(words.map(str::to_owned));
+        if line.split_whitespace().any(|name| name.len() > 1) {
+            // What is typed makes codewords, as a program's line does.
+            let typed: String = line
+                .split_whitespace()
+                .filter(|name| name.len() == 1)
+                .collect();
+            found.extend(code_words(&typed));
+        }
+    }
+    if line.starts_with(['\u{1b}', '\\']) {
+        found.extend(["<ESC>", "<DEL>"].map(str::to_owned));
+    }
+    let packed: Vec<u8> = latin1::bytes(line)
+        .into_iter()
+        .filter(|&byte| byte != b' ')
+        .collect();
+    let command = packed.strip_prefix(b"\\x1B").unwrap_or(&packed);
+    if let Some((&letter, rest)) = command.split_first() {
+        found.push(remote::word(letter, rest).to_owned());
+    }
+    found.extend(code_words(line));
+    found.extend(code_words(line.strip_prefix('I').unwrap_or_default()));
+    let rows = super::keywords::rows().into_iter();
+    rows.map(|row| row.word)
+        .filter(|word| found.iter().any(|other| other == word))
+        .collect()
+}
+
+/// The words of a program's line. What X, Y and F are depends on the modes: they are counted both as codewords and as
+/// registers.
+fn code_words(line: &str) -> Vec<String> {
     let mut in_message = false;
-    let text = packed(&line, &mut in_message);
+    let text = packed(&latin1::bytes(line), &mut in_message);
     let mut found = Vec::new();
+    let marks = [";", "&", "%"]
+        .into_iter()
+        .filter(|mark| line.contains(mark));
+    found.extend(marks.map(str::to_owned));
+    let mut data_input = false;
     for range in codewords(&text) {
-        let word = text.get(range).unwrap_or_default();
-        let word = shape(word);
-        found.extend(
-            rows.iter()
-                .filter(|row| row.word == word)
-                .map(|row| row.word),
-        );
+        let word = latin1::text(text.get(range).unwrap_or_default());
+        if std::mem::replace(&mut data_input, word == "G62") {
+            found.push(format!("G62{word}"));
+        }
+        let (letter, rest) = word.split_at(word.chars().next().map_or(0, char::len_utf8));
+        let digits = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+        let number = rest.strip_suffix(digits).unwrap_or_default();
+        match letter {
+            "*" => found.push(word.clone()),
+            "\"" => found.extend(message_words(&word)),
+            "G" | "M" => {
+                let shape = if digits.starts_with(['=', '-'])
+                    && (letter == "M" || digits.starts_with('='))
+                {
+                    format!("{letter}{number}{}n", digits.get(..1).unwrap_or_default())
+                } else {
+                    format!("{letter}{number}")
+                };
+                found.push(shape);
+            }
+            "X" | "Y" | "F" | "D" | "N" => {
+                let sign = rest.chars().next().filter(|c| "=-<>+".contains(*c));
+                found.push(format!(
+                    "{letter}{}n",
+                    sign.map_or(String::new(), String::from)
+                ));
+                found.push(format!("{letter}n"));
+                found.push(format!("{letter}{number}"));
+            }
+            _ => {}
+        }
+        let operators = rest
+            .split(|c: char| !"<>=".contains(c))
+            .filter(|part| !part.is_empty());
+        found.extend(operators.map(str::to_owned));
+        let signs = rest.chars().filter(|c| "+-".contains(*c));
+        found.extend(signs.map(String::from));
     }
     found
 }
 
-/// A codeword as the table writes it: `X1000` is `Xn`, `G25=7` is `G25=n`.
-fn shape(word: &[u8]) -> String {
-    let text = latin1::text(word);
-    let (stem, digits) = match text.find(|c: char| c.is_ascii_digit()) {
-        Some(at) => text.split_at(at),
-        None => (text.as_str(), ""),
-    };
-    match stem {
-        "G" => match digits.split_once('=') {
-            Some((number, _)) => format!("G{number}=n"),
-            None => text,
-        },
-        "M" => text,
-        "\"" => "\"text\"".to_owned(),
-        stem if digits.is_empty() => stem.to_owned(),
-        stem => format!("{}n", stem.trim_end_matches('-')),
-    }
+/// What stands in a message between `<` and `>`.
+fn message_words(message: &str) -> Vec<String> {
+    let inside = message
+        .split('<')
+        .skip(1)
+        .filter_map(|part| part.split('>').next());
+    let mut found = vec!["\"text\"".to_owned()];
+    found.extend(inside.map(|name| match name {
+        "C" | "M" | "F" => format!("\"<{name}>\""),
+        name if name.contains('/') => "\"<X/n>\"".to_owned(),
+        _ => "\"<X>\"".to_owned(),
+    }));
+    found
 }
 
 /// The parts of one line of a program.

@@ -155,6 +155,24 @@ pub fn named(name: &str) -> Option<(Key, bool)> {
     })
 }
 
+/// The keyword table's word for a key; pad keys have none.
+pub fn word(key: Key, shifted: bool) -> Option<&'static str> {
+    Some(match key {
+        Key::Reset => "RES",
+        Key::Shift => "SHIFT",
+        Key::Up => "UP",
+        Key::Down => "DOWN",
+        Key::Left => "LEFT",
+        Key::Right => "RIGHT",
+        Key::ClearX => "CLRX",
+        Key::ClearY => "CLRY",
+        Key::ClearEntry if shifted => "CC",
+        Key::Slew if shifted => "SCH",
+        Key::Pad(_) => return None,
+        key => FUNCTIONS.iter().find(|row| row.1 == key)?.0,
+    })
+}
+
 /// What a key means; `None` where nothing is printed on it, or it is none of those that type.
 pub fn stroke(key: Key, shifted: bool, message: bool) -> Option<Stroke> {
     if let Key::Pad(unshifted) = key {

@@ -218,7 +218,7 @@ impl Unidex3 {
             return;
         }
         let block = std::mem::take(&mut self.panel.block);
-        if let Err(trouble) = self.run.slew_feedrates(&block) {
+        if let Err(trouble) = self.run.slew_feedrates(&block, self.options.without) {
             self.complain(trouble);
         }
     }

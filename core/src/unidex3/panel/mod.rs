@@ -124,7 +124,8 @@ impl Unidex3 {
         let Some((key, shifted)) = keys::named(name) else {
             return Err(Refused(format!("unidex3 has no key '{name}'")));
         };
-        if !self.powered {
+        let word = keys::word(key, shifted || (self.panel.shift && !self.panel.message));
+        if !self.powered || (word.is_some() && word == self.options.without) {
             return Ok(());
         }
         match (key, down) {

@@ -230,7 +230,7 @@ fn program_number(digits: &[u8]) -> Option<u8> {
 }
 
 /// The table's word for a command.
-fn word(letter: u8, packed: &[u8]) -> &'static str {
+pub(in crate::unidex3) fn word(letter: u8, packed: &[u8]) -> &'static str {
     match (letter, packed) {
         (b'E', b"N") => "E N",
         (b'E', b"$00") => "E $ 00",

@@ -72,6 +72,7 @@ impl Unidex3 {
     }
 
     pub(super) fn edit_byte(&mut self, byte: u8) {
+        let knows_comments = self.knows(";");
         let Some(edit) = &mut self.remote.edit else {
             return;
         };
@@ -85,11 +86,12 @@ impl Unidex3 {
             b'%' | b'&' if !edit.in_message => {
                 let word = if byte == b'%' { "%" } else { "&" };
                 if self.knows(word) {
+                    self.remote.ends_edit = true;
                     self.end_edit();
                 }
                 return;
             }
-            b';' if !edit.in_message => {
+            b';' if !edit.in_message && knows_comments => {
                 edit.in_comment = true;
                 return;
             }

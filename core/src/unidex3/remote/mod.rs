@@ -11,6 +11,7 @@ use std::rc::Rc;
 
 use super::{Link, Unidex3};
 use crate::time::Nanos;
+pub(super) use commands::word;
 use edit::OpenEdit;
 
 const ESCAPE: u8 = 0x1B;
@@ -46,6 +47,8 @@ pub struct Remote {
     line: Vec<u8>,
     /// The first of CR and LF that has ended a line: the other one belongs to it.
     ended_by: Option<u8>,
+    /// The line end that comes belongs to the `%` or `&` before it.
+    ends_edit: bool,
     addressed: bool,
     /// Which of the addressed units this is, from 0, and how many there are.
     turn: (u32, u32),
@@ -79,6 +82,7 @@ impl Default for Remote {
         Remote {
             line: Vec::new(),
             ended_by: None,
+            ends_edit: false,
             addressed: false,
             turn: (0, 1),
             asked: [0; replies::TURNS],
@@ -250,10 +254,13 @@ impl Unidex3 {
             return;
         }
         let line = std::mem::take(&mut remote.line);
-        if line.is_empty() && byte == b'\n' {
+        let ends_edit = std::mem::take(&mut remote.ends_edit) && line.is_empty();
+        if ends_edit || !line.is_empty() || byte == b'\r' {
+            remote.ended_by = Some(byte);
+        }
+        if ends_edit || (line.is_empty() && byte == b'\n') {
             return;
         }
-        remote.ended_by = Some(byte);
         if let Some((&ESCAPE, rest)) = line.split_first() {
             return self.address(now, rest);
         }

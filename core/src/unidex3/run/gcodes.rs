@@ -236,7 +236,7 @@ impl Run {
             78 | 79 => {
                 self.slew_number = number.or(self.slew_number);
                 if code == 78 {
-                    self.slew_words(scan)?;
+                    self.slew_words(scan, world.without)?;
                 }
                 Ok(Flow::Wait(Wait::Slew))
             }

@@ -350,8 +350,8 @@ impl Run {
     ///
     /// # Errors
     /// What is none of these, or out of range.
-    pub fn slew_feedrates(&mut self, text: &[u8]) -> Result<(), Trouble> {
-        self.slew_words(&mut Scan::new(text, 0))
+    pub fn slew_feedrates(&mut self, text: &[u8], without: Option<&str>) -> Result<(), Trouble> {
+        self.slew_words(&mut Scan::new(text, 0), without)
     }
 
     /// A register's value.

@@ -150,6 +150,7 @@ impl Run {
         if !scan.eat(b'=') {
             return Err(Trouble::IllegalCharacter);
         }
+        known("=", world, Trouble::IllegalCharacter)?;
         let value = self.expression(scan, world)?;
         self.set_register(register, value, world.indexer, world.now);
         Ok(Flow::Next)

@@ -71,17 +71,22 @@ impl Run {
         scan: &mut Scan<'_>,
         world: &World<'_>,
     ) -> Result<Option<Feedrate>, Trouble> {
-        let sign = scan.peek();
-        let word = match sign {
+        self.feedrate_value(scan, world.without)
+    }
+
+    fn feedrate_value(
+        &mut self,
+        scan: &mut Scan<'_>,
+        without: Option<&str>,
+    ) -> Result<Option<Feedrate>, Trouble> {
+        let word = match scan.peek() {
             Some(b'=') => "F=n",
             Some(b'-') => "F-n",
             _ => "Fn",
         };
-        known(word, world, Trouble::F)?;
-        self.feedrate_value(scan)
-    }
-
-    fn feedrate_value(&mut self, scan: &mut Scan<'_>) -> Result<Option<Feedrate>, Trouble> {
+        if without == Some(word) {
+            return Err(Trouble::F);
+        }
         if scan.eat(b'-') {
             self.parameters.joystick = scan.within(2, 65_535).ok_or(Trouble::F)?;
             return Ok(None);
@@ -104,7 +109,11 @@ impl Run {
     }
 
     /// See [`Run::slew_feedrates`]; ends before what is none of them.
-    pub(super) fn slew_words(&mut self, scan: &mut Scan<'_>) -> Result<(), Trouble> {
+    pub(super) fn slew_words(
+        &mut self,
+        scan: &mut Scan<'_>,
+        without: Option<&str>,
+    ) -> Result<(), Trouble> {
         let mut axes = Axis::BOTH.to_vec();
         while let Some(letter) = scan.peek() {
             match letter {
@@ -115,7 +124,7 @@ impl Run {
                 }
                 b'F' => {
                     scan.at += 1;
-                    if let Some(feedrate) = self.feedrate_value(scan)? {
+                    if let Some(feedrate) = self.feedrate_value(scan, without)? {
                         for &axis in &axes {
                             *self.modes.feedrates.of_mut(axis) = feedrate;
                         }
