@@ -71,6 +71,13 @@ pub enum ToWorker {
     Keep,
     /// What an earlier [`FromWorker::Kept`] said is put back.
     Restore(Memory),
+    /// A text becomes a file of the controller. Answered by [`FromWorker::Filed`].
+    PutFile {
+        /// By the controller's own name: `B:CUT.BAS`.
+        name: String,
+        /// Its contents.
+        text: String,
+    },
     /// The mains switch.
     Power(bool),
     /// How fast simulated time shall pass.
@@ -117,6 +124,8 @@ pub enum FromWorker {
     },
     /// All that the controller holds.
     Kept(Memory),
+    /// The name of a file that the controller has taken, or why it has not.
+    Filed(Result<String, String>),
 }
 
 /// Why a text did not become the controller's program.

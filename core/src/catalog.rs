@@ -70,8 +70,19 @@ pub struct Kind {
     pub enable_input: Option<usize>,
     /// The lamps at its outputs.
     pub lamps: Lamps,
+    /// Where it keeps files.
+    pub disks: &'static [DiskInfo],
     /// How a terminal at its console is best set.
     pub terminal: TerminalSettings,
+}
+
+/// A disk, for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DiskInfo {
+    /// What stands before the names of its files: `B:`.
+    pub prefix: &'static str,
+    /// What it is, and what becomes of it without power.
+    pub words: &'static str,
 }
 
 /// What a controller makes of the text of a program that it is given.
@@ -179,6 +190,7 @@ pub const KINDS: &[Kind] = &[
         inputs: mc600::wiring::INPUTS,
         enable_input: Some(mc600::wiring::ENABLE),
         lamps: mc600::wiring::LAMPS,
+        disks: mc600::disks::DISKS,
         terminal: TerminalSettings {
             local_echo: false,
             line_feeds: false,
@@ -206,6 +218,7 @@ pub const KINDS: &[Kind] = &[
         inputs: smartmotor::wiring::INPUTS,
         enable_input: None,
         lamps: smartmotor::wiring::LAMPS,
+        disks: &[],
         // It does not echo, and ends its answers with a bare CR.
         terminal: TerminalSettings {
             local_echo: true,

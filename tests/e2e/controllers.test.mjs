@@ -62,6 +62,17 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+siteTest("a program is sent to the controller without being started", async (page) => {
+  await printedEnd(page, ">");
+  await page.getByText("not in the controller").waitFor();
+  await page.locator(".editor").getByRole("button", { name: "More" }).click();
+  await page.getByRole("button", { name: "Send to the controller" }).click();
+  await page.getByText("same as in the controller").waitFor();
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.type("LIST 130\n");
+  await printedEnd(page, ">LIST 130\n130 RETURN\n>");
+});
+
 siteTest("the work with each controller is kept", async (page) => {
   await printedEnd(page, ">");
   await page.keyboard.type("10 PRINT 6*7\nSAVE \"B:SEVEN\"\n");

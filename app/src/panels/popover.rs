@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{HtmlElement, MouseEvent};
+use web_sys::{Element, HtmlElement, MouseEvent};
 
 /// Between the button and what it opens, CSS pixels.
 const GAP: f64 = 4.0;
@@ -38,6 +38,18 @@ pub(super) fn Popover(
         <div class="popover" popover="auto" id=id role="group" aria-label=name node_ref=opened>
             {children()}
         </div>
+    }
+}
+
+/// Closes what the chosen item is in.
+pub(super) fn close(event: MouseEvent) {
+    let target = event
+        .target()
+        .and_then(|target| target.dyn_into::<Element>().ok());
+    let popover = target.and_then(|target| target.closest("[popover]").ok().flatten());
+    if let Some(popover) = popover.and_then(|popover| popover.dyn_into::<HtmlElement>().ok()) {
+        // One that is closed already stays closed.
+        let _ = popover.hide_popover();
     }
 }
 

@@ -1,5 +1,6 @@
 //! The terminal on the console's line.
 
+mod disks;
 mod file;
 mod line;
 mod tools;

@@ -159,6 +159,12 @@ impl Engine {
                 self.kept.clone_from(memory);
                 self.bench.station_mut(self.station)?.restore(memory);
             }
+            ToWorker::PutFile { name, text } => {
+                let station = self.bench.station_mut(self.station)?;
+                let taken = station.load(&Slot::File(name.clone()), text);
+                let filed = taken.map(|_| name.clone()).map_err(|error| error.message);
+                return Some(FromWorker::Filed(filed));
+            }
             ToWorker::Power(on) => {
                 self.frozen = false;
                 self.cancel();

@@ -3,7 +3,20 @@
 use std::rc::Rc;
 
 use super::firmware::{DISK_A, DISK_B, ErrorCode};
+use crate::catalog::DiskInfo;
 use crate::files::{Disk, matches};
+
+/// The disks for people.
+pub const DISKS: &[DiskInfo] = &[
+    DiskInfo {
+        prefix: "A:",
+        words: "RAM, lost with the power",
+    },
+    DiskInfo {
+        prefix: "B:",
+        words: "FLASH, kept without power",
+    },
+];
 
 /// The two disks.
 #[derive(Debug, Clone)]

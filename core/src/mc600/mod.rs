@@ -11,7 +11,7 @@ mod compile;
 mod console;
 mod debugger;
 pub mod diagnose;
-mod disks;
+pub mod disks;
 mod drive;
 pub mod firmware;
 pub mod first_steps;
