@@ -1,5 +1,5 @@
 //! Breakpoints, holding and stepping. A breakpoint replaces the first operation of its line in a copy of the program;
-//! what is held goes on with the original.
+//! what is held goes on with the copy's original.
 
 use std::rc::Rc;
 
@@ -12,7 +12,9 @@ use crate::exec::Credit;
 pub struct Debugger {
     /// Lines with a breakpoint.
     lines: Vec<u32>,
-    /// The program with breakpoints in it; `None` without any.
+    /// The program with its statements apart, for single steps.
+    apart: Rc<Vec<Op>>,
+    /// The same with breakpoints in it; `None` without any.
     patched: Option<Rc<Vec<Op>>>,
     state: State,
 }
@@ -37,19 +39,19 @@ impl Debugger {
 
     /// Puts the breakpoints into a newly compiled program.
     pub fn bind(&mut self, image: &Image) {
-        self.patched = None;
-        let starts = self.lines.iter().filter_map(|&line| image.line_start(line));
-        let mut ops: Option<Vec<Op>> = None;
-        for start in starts {
-            let ops = ops.get_or_insert_with(|| image.ops.to_vec());
-            if let Some(op) = usize::try_from(start)
-                .ok()
-                .and_then(|start| ops.get_mut(start))
-            {
+        let starts: Vec<usize> = self
+            .lines
+            .iter()
+            .filter_map(|&line| usize::try_from(image.line_start(line)?).ok())
+            .collect();
+        let mut ops: Vec<Op> = image.ops.iter().map(|op| op.apart()).collect();
+        self.apart = Rc::new(ops.clone());
+        for &start in &starts {
+            if let Some(op) = ops.get_mut(start) {
                 op.code = Code::Break;
             }
         }
-        self.patched = ops.map(Rc::new);
+        self.patched = (!starts.is_empty()).then(|| Rc::new(ops));
     }
 
     /// Holds the program.
@@ -102,7 +104,7 @@ impl Debugger {
                 None => vm.run(credit, world),
             },
             State::Leaving => {
-                let exit = vm.step(credit, world);
+                let exit = vm.step(&self.apart, credit, world);
                 if exit == Exit::Credit {
                     self.state = State::Free;
                     return if credit.balance > 0 {
@@ -118,7 +120,7 @@ impl Debugger {
             }
             State::Until(spent) => {
                 // A step that waits is not over: it ends when the statement has cost something.
-                let exit = vm.run(credit, world);
+                let exit = vm.run_ops(&self.apart, credit, world);
                 if credit.spent >= spent {
                     self.state = State::Held;
                 }
