@@ -12,11 +12,7 @@ fn every_error_of_the_compiler_has_its_name_and_line() {
         ("C1\nC1\nEND", 1, "duplicate label C1"),
         ("GOTO5\nEND", 0, "missing label C5"),
         ("a=1\nGOSUB7\nEND", 1, "missing label C7"),
-        (
-            "SWITCH a\nDEFAULT\nDEFAULT\nENDS\nEND",
-            2,
-            "second DEFAULT",
-        ),
+        ("SWITCH a\nDEFAULT\nDEFAULT\nENDS\nEND", 2, "second DEFAULT"),
         (
             "SWITCH a\nDEFAULT\nCASE 1\nENDS\nEND",
             2,
@@ -54,11 +50,10 @@ fn causes_and_cures_are_plain() {
         panic!("one error");
     };
     let cure = found.cure.clone().unwrap();
-    assert_eq!((found.line, cure.span, cure.replacement.as_str()), (
-        0,
-        Span { start: 3, end: 4 },
-        ""
-    ));
+    assert_eq!(
+        (found.line, cure.span, cure.replacement.as_str()),
+        (0, Span { start: 3, end: 4 }, "")
+    );
     let found = diagnose("a=b+c+d END");
     assert_eq!(found[0].cause, "An expression has at most one operator.");
     let found = diagnose("WHILE 1 \u{2018}always\nLOOP END");
@@ -78,19 +73,26 @@ fn colours_follow_the_lexer() {
     let classes = |line: &str| -> Vec<HighlightClass> {
         highlight(line).into_iter().map(|part| part.class).collect()
     };
-    assert_eq!(classes("WHILE a<10 'x"), [
-        Keyword, Variable, Operator, Number, Comment
-    ]);
-    assert_eq!(classes("GOSUB5 C5 V=1000 IF Bt"), [
-        Keyword,
-        Keyword,
-        Function,
-        Operator,
-        Number,
-        Keyword,
-        SystemVariable
-    ]);
-    assert_eq!(classes("PRINT(\"a\",#13) $"), [
-        Function, Operator, Text, Operator, Operator, Number, Operator, Error
-    ]);
+    assert_eq!(
+        classes("WHILE a<10 'x"),
+        [Keyword, Variable, Operator, Number, Comment]
+    );
+    assert_eq!(
+        classes("GOSUB5 C5 V=1000 IF Bt"),
+        [
+            Keyword,
+            Keyword,
+            Function,
+            Operator,
+            Number,
+            Keyword,
+            SystemVariable
+        ]
+    );
+    assert_eq!(
+        classes("PRINT(\"a\",#13) $"),
+        [
+            Function, Operator, Text, Operator, Operator, Number, Operator, Error
+        ]
+    );
 }

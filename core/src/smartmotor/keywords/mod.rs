@@ -84,7 +84,12 @@ mod tests {
             let mut kinds = parsed.statements.iter().map(|statement| &statement.kind);
             let bad = kinds.find(|kind| matches!(kind, StatementKind::Malformed(_)));
             assert_eq!(bad, None, "{}", row.example);
-            assert!(parsed.used.contains(&row.word), "{}: {:?}", row.word, parsed.used);
+            assert!(
+                parsed.used.contains(&row.word),
+                "{}: {:?}",
+                row.word,
+                parsed.used
+            );
             let without = parse_line(row.example.as_bytes(), Some(row.word));
             let mut kinds = without.statements.iter().map(|statement| &statement.kind);
             assert!(kinds.any(|kind| matches!(kind, StatementKind::Malformed(_))));
