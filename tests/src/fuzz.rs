@@ -5,20 +5,27 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, Kind};
 use motionbench_core::controller::{Controller, Input, Slot, Status};
-use motionbench_core::language::{Span, latin1};
-use motionbench_core::mc600::program::{Program, STORED_LENGTH, split_lines};
+use motionbench_core::language::{Span, latin1, split_lines};
+use motionbench_core::mc600::program::{Program, STORED_LENGTH};
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::{Limits, Outcome, Scenario, program_text};
 use motionbench_core::serial::{LineSettings, Parity};
 use motionbench_core::time::Nanos;
 
+#[path = "fuzz/smartmotor.rs"]
+mod smartmotor;
+
+pub use smartmotor::{smartmotor_serial, smartmotor_text};
+
 /// A fuzzer's name and what it does with bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every fuzzer.
-pub const TARGETS: [Target; 3] = [
+pub const TARGETS: [Target; 5] = [
     ("mc600_text", mc600_text),
     ("mc600_console", mc600_console),
+    ("smartmotor_text", smartmotor_text),
+    ("smartmotor_serial", smartmotor_serial),
     ("scenario", scenario),
 ];
 

@@ -9,22 +9,10 @@ use motionbench_core::language::Support;
 use motionbench_core::scenario::Outcome;
 use motionbench_tests::{conformance, programs};
 
-/// The words of a scenario's programs and commands, as the controller's own lexer finds them.
-fn words(kind: &Kind, name: &str) -> BTreeSet<String> {
+/// The words of the keyword table that a scenario's programs and commands use.
+fn words(kind: &Kind, name: &str) -> BTreeSet<&'static str> {
     let lines = programs::lines(name);
-    let words = lines.iter().flat_map(|line| {
-        let parts = (kind.highlight)(line);
-        parts.into_iter().map(|part| {
-            let range = part.span.range();
-            let word: String = line.chars().skip(range.start).take(range.len()).collect();
-            // GO TO may have any blanks in it.
-            word.split_whitespace()
-                .collect::<Vec<&str>>()
-                .join(" ")
-                .to_uppercase()
-        })
-    });
-    words.collect()
+    lines.iter().flat_map(|line| (kind.words)(line)).collect()
 }
 
 /// How a scenario ends with controllers that lack a word.
@@ -43,7 +31,7 @@ fn outcome_without(word: &str, kind: &Kind, name: &str) -> Outcome {
 }
 
 /// The scenarios of a controller, the shortest first, with their words. One that fails anyhow holds nothing.
-fn scenarios(kind: &Kind) -> BTreeMap<(usize, &'static str), BTreeSet<String>> {
+fn scenarios(kind: &Kind) -> BTreeMap<(usize, &'static str), BTreeSet<&'static str>> {
     let folder = format!("{}/", kind.id);
     let names = conformance::scenarios().filter(|name| name.starts_with(&folder));
     let sound = names.filter(|name| !conformance::text(name).contains("\nknown-failure "));
@@ -56,12 +44,11 @@ fn scenarios(kind: &Kind) -> BTreeMap<(usize, &'static str), BTreeSet<String>> {
 fn gaps(
     kind: &Kind,
     word: &str,
-    scenarios: &BTreeMap<(usize, &'static str), BTreeSet<String>>,
+    scenarios: &BTreeMap<(usize, &'static str), BTreeSet<&'static str>>,
 ) -> Vec<String> {
-    let upper = word.to_uppercase();
-    let users = scenarios.iter().filter(|(_, words)| words.contains(&upper));
+    let users = scenarios.iter().filter(|(_, words)| words.contains(word));
     // Those that are named after it are about it, all of them.
-    let stem = format!("{}/keyword-{upper}", kind.id);
+    let stem = format!("{}/keyword-{}", kind.id, word.to_uppercase());
     let (own, others): (Vec<&str>, Vec<&str>) =
         users.map(|((_, name), _)| name).partition(|name| {
             name.strip_prefix(&stem)
@@ -127,7 +114,7 @@ fn only_a_word_that_is_used_is_missed() {
     }
     let none = BTreeMap::from([((1, name), BTreeSet::new())]);
     assert_eq!(gaps(kind, "GOTO", &none), ["no scenario uses GOTO"]);
-    let idle = BTreeMap::from([((1, name), BTreeSet::from(["DATA".to_owned()]))]);
+    let idle = BTreeMap::from([((1, name), BTreeSet::from(["DATA"]))]);
     assert_eq!(
         gaps(kind, "DATA", &idle),
         ["1 scenarios use DATA, and none notices that it is missing"]

@@ -47,3 +47,8 @@ fn check(controller: &str, list: &str) {
 fn mc600_has_every_word_of_its_manual() {
     check("mc600", include_str!("../keywords/mc600.tsv"));
 }
+
+#[test]
+fn smartmotor_has_every_word_of_its_lists() {
+    check("smartmotor", include_str!("../keywords/smartmotor.tsv"));
+}

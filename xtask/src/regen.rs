@@ -7,7 +7,10 @@ use serde_json::Value;
 use crate::{Result, shell};
 
 /// The controllers that have a keyword table, with the title of their page.
-const CONTROLLERS: [(&str, &str); 1] = [("mc600", "MC-600 MotionBasic")];
+const CONTROLLERS: [(&str, &str); 2] = [
+    ("mc600", "MC-600 MotionBasic"),
+    ("smartmotor", "SmartMotor, class 4"),
+];
 
 /// Writes the generated files. Fails if one was not up to date: a regenerated file is to be
 /// looked at and committed, not to pass unseen.

@@ -13,9 +13,11 @@ use super::jumps::{Jump, jumps};
 use super::keywords::Keyword;
 use super::lexer::{TokenKind, is_blank, line_number, tokens};
 use super::parser::{ParsedLine, parse_line};
-use super::program::{Program, split_lines};
+use super::program::Program;
 use crate::language::Support::{Absent, Full, Partial};
-use crate::language::{Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
+use crate::language::{
+    Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1, split_lines,
+};
 
 /// Everything that can be said about a program's text, in the order of its lines.
 pub fn diagnose(text: &str) -> Vec<Diagnostic> {

@@ -9,7 +9,7 @@ use super::ast::LineRange;
 use super::firmware::{ErrorCode, LAST_LINE, LINE_LENGTH, MEMORY};
 use super::jumps::jumps;
 use super::lexer::{TokenKind, is_blank, line_number, tokens};
-use crate::language::latin1;
+use crate::language::{latin1, split_lines};
 
 /// The longest line that a program holds, its number counted (D27). The console takes 80 characters, but RENUM
 /// makes lines longer, and a program that was saved must load again.
@@ -237,27 +237,6 @@ fn upper_case_keywords(text: &[u8]) -> Vec<u8> {
         }
     }
     upper
-}
-
-/// The lines of a text; they end with CR, LF, or CR LF.
-pub fn split_lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
-    // CR LF counts once: the LF ends nothing when the CR has.
-    let mut rest = Some(text);
-    std::iter::from_fn(move || {
-        let text = rest?;
-        let end = text.iter().position(|&byte| matches!(byte, b'\r' | b'\n'));
-        let Some(end) = end else {
-            rest = None;
-            return Some(text);
-        };
-        let behind = text.get(end..).unwrap_or_default();
-        let next = match behind {
-            [b'\r', b'\n', next @ ..] | [_, next @ ..] => next,
-            [] => &[],
-        };
-        rest = Some(next);
-        text.get(..end)
-    })
 }
 
 /// A text with its jumps changed from old numbers to new ones.

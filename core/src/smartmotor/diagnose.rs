@@ -9,7 +9,9 @@ use super::keywords;
 use super::lexer::{Token, TokenKind, tokens};
 use super::parser::parse_line;
 use super::store::strip;
-use crate::language::{Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
+use crate::language::{
+    Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1, split_lines,
+};
 
 /// Everything that can be said about a program's text, in the order of its lines.
 pub fn diagnose(text: &str) -> Vec<Diagnostic> {
@@ -50,7 +52,9 @@ fn diagnostic(problem: Problem) -> Diagnostic {
 /// Characters that the motor does not have.
 fn strangers(text: &str) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    for (index, line) in (0..).zip(text.split('\n')) {
+    for (index, line) in (0..).zip(split_lines(text.as_bytes())) {
+        // A line end is never part of another character.
+        let line = std::str::from_utf8(line).unwrap_or_default();
         for (position, character) in line.chars().enumerate() {
             if latin1::byte(character).is_some() {
                 continue;

@@ -274,6 +274,8 @@ impl Controller for SmartMotor {
 
     fn restore(&mut self, memory: &Memory) {
         self.unknown.clear();
+        // As if it had been there at power-up: the program starts when it would have.
+        let start_at = self.start_at;
         for item in &memory.items {
             let known = memory.version == MEMORY_VERSION
                 && match item.name.as_str() {
@@ -288,6 +290,7 @@ impl Controller for SmartMotor {
                 self.unknown.push(item.clone());
             }
         }
+        self.start_at = start_at;
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::code::{Code, Exit, Op, REGISTERS};
 use super::super::firmware::COST_UNIT;
 use super::super::memory::{array, element, set_element};
 use super::super::motor::Flag;
-use super::{Call, NOWHERE, STACK, Vm, World};
+use super::{SPECIAL, Vm, World};
 use crate::exec::Credit;
 use std::rc::Rc;
 
@@ -38,21 +38,29 @@ impl Vm {
 
     /// Runs another copy of the program: one with breakpoints in it.
     pub fn run_ops(&mut self, ops: &[Op], credit: &mut Credit, world: &mut World<'_>) -> Exit {
-        let mut left = credit.balance;
-        let exit = self.dispatch(ops, &mut left, world);
-        self.tell_overflow(world);
-        credit.settle(left);
-        exit
+        let statements = credit.balance.saturating_add(COST_UNIT - 1) / COST_UNIT;
+        let most = i32::try_from(statements).unwrap_or(i32::MAX);
+        self.spend(ops, most, credit, world)
     }
 
-    /// Runs one statement of the program.
-    pub fn step(&mut self, credit: &mut Credit, world: &mut World<'_>) -> Exit {
-        let ops = Rc::clone(&self.program.image.ops);
-        let before = credit.balance.saturating_sub(1);
-        let mut left = 1;
-        let exit = self.dispatch(&ops, &mut left, world);
+    /// Runs one statement of a copy of the program.
+    pub fn step(&mut self, ops: &[Op], credit: &mut Credit, world: &mut World<'_>) -> Exit {
+        self.spend(ops, 1, credit, world)
+    }
+
+    /// Runs about so many statements and books what they cost.
+    fn spend(
+        &mut self,
+        ops: &[Op],
+        statements: i32,
+        credit: &mut Credit,
+        world: &mut World<'_>,
+    ) -> Exit {
+        let mut left = statements;
+        let exit = self.dispatch(ops, &mut left, world);
         self.tell_overflow(world);
-        credit.settle(before.saturating_add(left));
+        let spent = i64::from(statements) - i64::from(left);
+        credit.settle(credit.balance.saturating_sub(spent * COST_UNIT));
         exit
     }
 
@@ -63,7 +71,7 @@ impl Vm {
     }
 
     #[allow(clippy::indexing_slicing)] // masked to the registers' number, see `register!`
-    fn dispatch(&mut self, ops: &[Op], left: &mut i64, world: &mut World<'_>) -> Exit {
+    fn dispatch(&mut self, ops: &[Op], left: &mut i32, world: &mut World<'_>) -> Exit {
         // Locals, so that they stay in machine registers.
         let mut pc = match world.host {
             true => self.host.pc,
@@ -92,9 +100,9 @@ impl Vm {
                     register!(r, op.c) = i32::from(register!(r, op.a) $relation register!(r, op.b))
                 };
             }
-            macro_rules! jump_unless {
+            macro_rules! jump_if {
                 ($relation:tt) => {
-                    if !(register!(r, op.a) $relation register!(r, op.b)) {
+                    if register!(r, op.a) $relation register!(r, op.b) {
                         pc = u32::from(op.c);
                     }
                 };
@@ -124,29 +132,25 @@ impl Vm {
                         pc = u32::from(op.c);
                     }
                 }
-                Code::JumpUnlessEqual => jump_unless!(==),
-                Code::JumpUnlessNotEqual => jump_unless!(!=),
-                Code::JumpUnlessLess => jump_unless!(<),
-                Code::JumpUnlessLessEqual => jump_unless!(<=),
-                Code::Gosub => {
-                    if self.calls.len() < STACK {
-                        self.calls.push(Call {
-                            back: pc,
-                            until: None,
-                            composed: Vec::new(),
-                        });
+                Code::JumpIfNotZero => {
+                    if register!(r, op.a) != 0 {
                         pc = u32::from(op.c);
-                    } else {
-                        world.motor.raise(Flag::Syntax);
                     }
                 }
+                Code::JumpIfEqual => jump_if!(==),
+                Code::JumpIfNotEqual => jump_if!(!=),
+                Code::JumpIfLess => jump_if!(<),
+                Code::JumpIfLessEqual => jump_if!(<=),
+                Code::Gosub => match self.calls.push(pc) {
+                    true => pc = u32::from(op.c),
+                    false => world.motor.raise(Flag::Syntax),
+                },
                 Code::Return => match self.calls.pop() {
-                    Some(call) if call.back == NOWHERE => break Exit::End,
-                    Some(call) => {
-                        pc = call.back;
-                        self.program.until = call.until;
-                        self.program.composed = call.composed;
-                    }
+                    Some(back) if back & SPECIAL == 0 => pc = back,
+                    Some(back) => match self.come_back(back) {
+                        Some(back) => pc = back,
+                        None => break Exit::End,
+                    },
                     None => world.motor.raise(Flag::Syntax),
                 },
                 Code::Load => {
@@ -177,13 +181,13 @@ impl Vm {
                             break exit;
                         }
                         Flow::Leave(exit) => {
-                            credit -= i64::from(op.cost) * COST_UNIT;
+                            credit -= i32::from(op.cost);
                             break exit;
                         }
                     }
                 }
             }
-            credit -= i64::from(op.cost) * COST_UNIT;
+            credit -= i32::from(op.cost);
         };
         self.overflow |= overflow;
         *left = credit;

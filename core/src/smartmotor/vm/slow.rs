@@ -54,7 +54,7 @@ impl Vm {
                     world.motor.raise(Flag::IndexRange);
                 }
             }
-            Slow::Stack => self.calls.clear(),
+            Slow::Stack => self.forget_calls(),
             Slow::Raise(flag) => world.motor.raise(*flag),
             Slow::RunIfAsked if self.asked => {}
             Slow::RunIfAsked | Slow::End => return Flow::Leave(Exit::End),
