@@ -151,8 +151,10 @@ pub enum Code {
     GetSystem,
     /// `system variable a = rb`
     SetSystem,
-    /// Motion call `a` with the argument `rb`
+    /// Motion call `a` with its arguments in registers from `b`
     Motion,
+    /// Returns from an interrupt
+    ReturnFromInterrupt,
     /// `DIM` of array `a`, `c` sizes in registers from `b`
     Dim,
 

@@ -15,11 +15,12 @@ mod disks;
 mod drive;
 pub mod firmware;
 mod functions;
+mod interrupts;
 mod jumps;
 pub mod keywords;
 mod lexer;
 pub mod machine;
-mod motion_calls;
+pub mod motion_calls;
 pub mod parser;
 mod planner;
 pub mod program;
@@ -39,6 +40,7 @@ use disks::Disks;
 use firmware::{BYTE_COST, COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
 use keywords::{Keyword, keyword};
 use machine::{Machine, MotionCommand};
+use planner::encoder::Interface;
 use program::Program;
 use vm::{Vm, World};
 
@@ -59,6 +61,10 @@ pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "password",
         help: "the password (default: PASSWORD)",
+    },
+    Opt {
+        key: "encoder",
+        help: "of the master: quadrature (default), pulse, 24v, 24v-pulse, sincos, or servobus",
     },
     Opt {
         key: "without",
@@ -124,6 +130,8 @@ pub struct Mc600 {
     error: Option<String>,
     debugger: Debugger,
     next: Nanos,
+    /// When the last sample began.
+    sampled: Nanos,
     samples: u64,
     locked: bool,
     alias: Option<String>,
@@ -161,6 +169,7 @@ impl Mc600 {
             error: None,
             debugger: Debugger::default(),
             next: Nanos::ZERO,
+            sampled: Nanos::ZERO,
             samples: 0,
             locked: false,
             alias: None,
@@ -190,6 +199,12 @@ impl Mc600 {
             ("locked", _) => return Err("locked is yes or no".to_owned()),
             ("alias", name) => self.alias = (!name.is_empty()).then(|| name.to_owned()),
             ("password", word) => self.password = word.to_owned(),
+            ("encoder", name) => {
+                let known = Interface::NAMES.iter().find(|(known, _)| *known == name);
+                let names = Interface::NAMES.map(|(name, _)| name).join(", ");
+                let (_, interface) = known.ok_or_else(|| format!("encoder is one of {names}"))?;
+                self.machine.set_encoder(*interface);
+            }
             ("without", word) => {
                 let keyword =
                     keyword(word).ok_or_else(|| format!("mc600 has no keyword '{word}'"))?;
@@ -341,6 +356,9 @@ impl Mc600 {
         }
         if self.debugger.holds() {
             return false;
+        }
+        if self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in() {
+            self.vm.enter_interrupt(&mut self.credit, &mut self.machine);
         }
         let mut world = World {
             machine: &mut self.machine,

@@ -26,6 +26,13 @@ pub enum Frame {
         /// Where RETURN goes.
         back: u32,
     },
+    /// An interrupt.
+    Interrupt {
+        /// Where RETI goes.
+        back: u32,
+        /// What is let in again by it.
+        source: u8,
+    },
 }
 
 impl Frame {
@@ -33,7 +40,7 @@ impl Frame {
     pub fn place(&self) -> u32 {
         match *self {
             Frame::For { body, .. } => body,
-            Frame::Gosub { back } => back,
+            Frame::Gosub { back } | Frame::Interrupt { back, .. } => back,
         }
     }
 }
@@ -107,7 +114,7 @@ impl Vm {
         let calls = self
             .frames
             .iter()
-            .rposition(|frame| matches!(frame, Frame::Gosub { .. }));
+            .rposition(|frame| !matches!(frame, Frame::For { .. }));
         let found = self
             .frames
             .iter()
@@ -131,11 +138,16 @@ impl Vm {
 
     /// RETURN; gives the next operation.
     pub(super) fn give_back(&mut self) -> Result<u32, ErrorCode> {
-        while let Some(frame) = self.frames.pop() {
-            if let Frame::Gosub { back } = frame {
-                return Ok(back);
+        loop {
+            match self.frames.last() {
+                Some(&Frame::Gosub { back }) => {
+                    self.frames.pop();
+                    return Ok(back);
+                }
+                Some(Frame::For { .. }) => drop(self.frames.pop()),
+                // An interrupt's subroutine ends with RETI alone.
+                Some(Frame::Interrupt { .. }) | None => return Err(ErrorCode::ReturnWithoutGosub),
             }
         }
-        Err(ErrorCode::ReturnWithoutGosub)
     }
 }

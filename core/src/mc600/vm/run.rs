@@ -3,8 +3,8 @@
 use super::super::ast::Function;
 use super::super::code::{Code, Exit, Op, REGISTERS, SystemCall};
 use super::super::firmware::{COST_UNIT, ErrorCode};
+use super::super::functions;
 use super::super::value::{floor_in_range, in_range, is_integer, to_integer};
-use super::super::{functions, motion_calls};
 use super::{Vm, World};
 use crate::exec::{Credit, Wait};
 use std::rc::Rc;
@@ -209,6 +209,8 @@ impl Vm {
                         Flow::Jump(target) => pc = target,
                         Flow::Again(exit) => {
                             self.pc = pc - 1;
+                            // What waits is in the middle of its statement.
+                            self.between_statements = !matches!(exit, Exit::Wait(_));
                             return exit;
                         }
                         Flow::Leave(exit) => {
@@ -221,6 +223,7 @@ impl Vm {
             credit -= i64::from(op.cost) * COST_UNIT;
         }
         (self.pc, *left) = (pc, credit);
+        self.between_statements = true;
         if self.is_printing() {
             Exit::Wait(Wait::Output)
         } else {
@@ -280,15 +283,8 @@ impl Vm {
                     world.machine.set(var, value);
                 }
             }
-            Code::Motion => {
-                let command = motion_calls::command(op.a, self.register(op.b), world.machine)?;
-                if let Some(command) = command {
-                    world.machine.command(command);
-                    if let Some(log) = world.log.as_deref_mut() {
-                        log.push(command);
-                    }
-                }
-            }
+            Code::Motion => return self.motion_call(op, world),
+            Code::ReturnFromInterrupt => return self.return_from_interrupt(world).map(Flow::Jump),
             Code::Dim => {
                 let sizes = self.consecutive(op.b, op.c);
                 let room = self.room();
@@ -324,9 +320,19 @@ impl Vm {
             .collect()
     }
 
-    fn function(&mut self, op: Op, world: &World) -> Result<f64, ErrorCode> {
+    fn function(&mut self, op: Op, world: &mut World) -> Result<f64, ErrorCode> {
         let argument = self.register(op.b);
         match functions::by_number(op.a) {
+            Some(Function::Sdoerror) => Ok(f64::from(world.machine.object_error())),
+            Some(Function::Sdoread) => {
+                let number = to_integer(argument)?;
+                Ok(f64::from(world.machine.read_object(number)))
+            }
+            Some(Function::CanData) => {
+                let mailbox = usize::try_from(to_integer(argument)?).ok();
+                let data = mailbox.and_then(|number| world.machine.mailbox(number));
+                data.map(f64::from).ok_or(ErrorCode::BadSubscript)
+            }
             Some(Function::Insta) => Ok(f64::from(world.machine.inputs())),
             Some(Function::Outsta) => Ok(f64::from(world.machine.outputs())),
             Some(Function::Rnd) => {

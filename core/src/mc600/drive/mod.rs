@@ -4,11 +4,14 @@
 //! MC-600 works". The bits are those of the drive profile that the drive's fieldbus cards use (public), which settles
 //! the sequence: switch-on inhibit, ready, switched on, operation enabled, one step a sample.
 
-use std::fmt;
+mod faults;
+pub mod objects;
 
 use super::planner::Reference;
 use crate::plant::{AxisParameters, PlantAxis, presets};
 use crate::servo::{Gains, Servo};
+pub use faults::{Fault, WARNING_NEGATIVE_LIMIT, WARNING_POSITIVE_LIMIT};
+use objects::{Object, Objects};
 
 /// Steps of the position loop in a planner sample of 2 ms.
 pub const STEPS: u32 = 8;
@@ -34,36 +37,6 @@ const DISABLED: i32 = NO_STOP_AND_DISABLE | NO_STOP;
 /// Following error at which the drive trips, in revolutions (D66: PEMAX of 262144 at 20 bits).
 const FOLLOWING_LIMIT: f64 = 0.25;
 
-/// What trips the drive; the number is that of the drive's own list.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fault {
-    /// F03.
-    FollowingError = 3,
-    /// F04.
-    Feedback = 4,
-    /// F14; stands for any fault of the drive itself.
-    OutputStage = 14,
-}
-
-impl Fault {
-    const ALL: [Fault; 3] = [Fault::FollowingError, Fault::Feedback, Fault::OutputStage];
-
-    fn bit(self) -> u32 {
-        1 << (self as u32 - 1)
-    }
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match self {
-            Fault::FollowingError => "following error",
-            Fault::Feedback => "feedback",
-            Fault::OutputStage => "output stage",
-        };
-        write!(f, "F{:02} {name}", *self as u32)
-    }
-}
-
 /// Where the enable sequence stands, in its order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum State {
@@ -74,6 +47,9 @@ enum State {
     Enabled,
 }
 
+/// Following error of an axis that pushes against a mechanical stop, in revolutions (D198).
+const STALL_LIMIT: f64 = 1.0 / 16.0;
+
 /// What the world around the drive is like in a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Conditions {
@@ -81,8 +57,8 @@ pub struct Conditions {
     pub enable_input: bool,
     /// The machine's emergency stop circuit is open: as bit 1 of the command at 0, and the enable is taken back.
     pub emergency_stop: bool,
-    /// Something that trips the drive for as long as it lasts.
-    pub fault: Option<Fault>,
+    /// What trips the drive for as long as it lasts, as an ERRCODE.
+    pub faults: u32,
     /// The planner's reference rests.
     pub at_rest: bool,
 }
@@ -103,6 +79,49 @@ pub struct Drive {
     following_error: f64,
     /// What the position loop asked of the motor last, as a fraction of peak torque.
     output: f64,
+    /// Parameters that a program reaches by their numbers.
+    pub objects: Objects,
+    /// Seen by homing in the last sample.
+    pub edges: Edges,
+    switches: Switches,
+}
+
+/// Where switches changed in a sample, in 1/256 count; what is not looked at has no edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Edges {
+    /// The reference switch.
+    pub home: Option<i64>,
+    /// A limit switch.
+    pub limit: Option<i64>,
+}
+
+/// The switches that homing looks at in each step of the position loop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Switches {
+    home: bool,
+    positive_limit: bool,
+    negative_limit: bool,
+}
+
+impl Switches {
+    fn of(plant: &PlantAxis) -> Switches {
+        Switches {
+            home: plant.at_home(),
+            positive_limit: plant.at_positive_limit(),
+            negative_limit: plant.at_negative_limit(),
+        }
+    }
+}
+
+/// What the position loop does in a sample besides following.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Duty {
+    /// Nothing.
+    Follow,
+    /// Looks out for switches.
+    Home,
+    /// The same, and pushes against a mechanical stop with REFIP.
+    Push,
 }
 
 /// Tuned for [`presets::SERVO`]: a damped position loop of 100 Hz, feed-forward of inertia and viscous friction.
@@ -132,6 +151,9 @@ impl Drive {
             origin: -count,
             following_error: 0.0,
             output: 0.0,
+            objects: Objects::new(),
+            edges: Edges::default(),
+            switches: Switches::default(),
         }
     }
 
@@ -158,7 +180,7 @@ impl Drive {
 
     /// `mclrfault`: faults whose cause is gone are reset. The drive stays disabled.
     pub fn clear_faults(&mut self, conditions: &Conditions) {
-        self.faults = conditions.fault.map_or(0, Fault::bit);
+        self.faults = conditions.faults;
     }
 
     /// `gv_command%`.
@@ -178,8 +200,8 @@ impl Drive {
 
     /// One step of the enable sequence.
     pub fn advance(&mut self, conditions: &Conditions) {
-        if let Some(fault) = conditions.fault {
-            self.trip(fault);
+        if conditions.faults != 0 {
+            self.trip(conditions.faults);
         }
         if self.faults != 0 {
             self.state = State::Fault;
@@ -224,17 +246,21 @@ impl Drive {
         }
     }
 
-    fn trip(&mut self, fault: Fault) {
-        self.faults |= fault.bit();
+    fn trip(&mut self, faults: u32) {
+        self.faults |= faults;
         self.state = State::Fault;
         self.command &= !(ENABLE | REFERENCE);
         self.servo.reset();
     }
 
     /// What has tripped it and is not cleared.
-    pub fn faults(&self) -> impl Iterator<Item = Fault> + '_ {
-        let latched = |fault: &Fault| self.faults & fault.bit() != 0;
-        Fault::ALL.into_iter().filter(latched)
+    pub fn faults(&self) -> impl Iterator<Item = Fault> {
+        Fault::all_of(self.faults)
+    }
+
+    /// `gv_error%`: ERRCODE, fault Fnn in bit nn-1.
+    pub fn error_code(&self) -> u32 {
+        self.faults
     }
 
     /// Whether the position loop is closed.
@@ -249,7 +275,7 @@ impl Drive {
 
     /// Whether a motion command has an effect: the drive is enabled, or on its way there.
     pub fn takes_reference(&self, conditions: &Conditions) -> bool {
-        self.faults == 0 && conditions.fault.is_none() && self.goal(conditions) == State::Enabled
+        self.faults == 0 && conditions.faults == 0 && self.goal(conditions) == State::Enabled
     }
 
     /// The drive's bits of `gv_status%`, 0 to 6 and 8; the warning is the machine's.
@@ -262,16 +288,30 @@ impl Drive {
             State::Enabled => 0b111,
         };
         let released = self.command & DISABLED == DISABLED && !conditions.emergency_stop;
-        let followed_badly = self.faults & Fault::FollowingError.bit() != 0;
+        let followed_badly = self.faults & Fault::FOLLOWING_ERROR.bit() != 0;
         sequence | i32::from(released) << 5 | i32::from(followed_badly) << 8
     }
 
     /// One planner sample of the position loop with the motor. The reference moves evenly over the steps.
-    pub fn run(&mut self, reference: &Reference, units_per_revolution: i64, plant: &mut PlantAxis) {
+    pub fn run(
+        &mut self,
+        reference: &Reference,
+        units_per_revolution: i64,
+        duty: Duty,
+        plant: &mut PlantAxis,
+    ) {
         if self.state != State::Enabled {
             self.output = 0.0;
             (0..STEPS).for_each(|_| plant.step(0.0));
             return;
+        }
+        let limit = match duty {
+            Duty::Push => self.objects.torque(Object::Refip),
+            Duty::Follow | Duty::Home => 1.0,
+        };
+        if duty != Duty::Follow {
+            self.edges = Edges::default();
+            self.switches = Switches::of(plant);
         }
         let revolutions = 1.0 / units_per_revolution as f64;
         let velocity = reference.velocity as f64 * revolutions / SAMPLE_PERIOD;
@@ -281,18 +321,66 @@ impl Drive {
         for step in 0..STEPS {
             let behind = start.wrapping_sub(self.feedback(units_per_revolution, plant)) as f64;
             let error = behind + reference.velocity as f64 * (f64::from(step) / f64::from(STEPS));
-            self.output = self
+            let asked = self
                 .servo
                 .update(error * revolutions, velocity, acceleration);
+            self.output = asked.clamp(-limit, limit);
             plant.step(self.output);
+            if duty != Duty::Follow {
+                self.look_out(units_per_revolution, plant);
+            }
         }
         self.following_error = reference
             .position
             .wrapping_sub(self.feedback(units_per_revolution, plant))
             as f64;
-        if (self.following_error * revolutions).abs() > FOLLOWING_LIMIT {
-            self.trip(Fault::FollowingError);
+        let too_far = (self.following_error * revolutions).abs() > FOLLOWING_LIMIT;
+        if too_far && duty != Duty::Push {
+            self.trip(Fault::FOLLOWING_ERROR.bit());
         }
+    }
+
+    /// Notes where switches change.
+    fn look_out(&mut self, units_per_revolution: i64, plant: &PlantAxis) {
+        let (before, now) = (self.switches, Switches::of(plant));
+        let here = self.feedback(units_per_revolution, plant);
+        if now.home != before.home {
+            self.edges.home = Some(here);
+        }
+        if (now.positive_limit, now.negative_limit)
+            != (before.positive_limit, before.negative_limit)
+        {
+            self.edges.limit = Some(here);
+        }
+        self.switches = now;
+    }
+
+    /// Whether the axis stands far behind its reference: at a mechanical stop, when it pushes.
+    pub fn is_stalled(&self, units_per_revolution: i64) -> bool {
+        self.following_error.abs() > units_per_revolution as f64 * STALL_LIMIT
+    }
+
+    /// A zero mark of the feedback unit, in 1/256 count.
+    pub fn zero_mark(&self) -> i64 {
+        self.origin
+    }
+
+    /// The parameters of the position loop have changed.
+    pub fn tune(&mut self) {
+        let part = |object| self.objects.part(object);
+        let tuned = gains(&presets::SERVO);
+        self.servo.tune(
+            Gains {
+                proportional: tuned.proportional * part(Object::Gp),
+                integral: tuned.integral / part(Object::Gptn),
+                derivative: tuned.derivative * part(Object::Gpv) * part(Object::Gv),
+                velocity_feedforward: tuned.velocity_feedforward * part(Object::Gpfbt),
+                acceleration_feedforward: tuned.acceleration_feedforward * part(Object::Gpfbt),
+                output_limit: self.objects.torque(Object::Ipeak),
+                ..tuned
+            },
+            STEP_PERIOD,
+        );
     }
 
     /// The actual position on the planner's scale, in 1/256 count.
