@@ -153,8 +153,7 @@ pub enum Code {
     SetSystem,
     /// Motion call `a` with its arguments in registers from `b`
     Motion,
-    /// Returns from an interrupt
-    ReturnFromInterrupt,
+
     /// `DIM` of array `a`, `c` sizes in registers from `b`
     Dim,
 
@@ -227,6 +226,8 @@ pub enum Code {
     Stop,
     /// Hands over to the firmware: see [`SystemCall`]; `a` is its number, `b` and `c` its operands
     System,
+    /// Returns from an interrupt
+    ReturnFromInterrupt,
     /// A breakpoint stands before the operation here
     Break,
 }

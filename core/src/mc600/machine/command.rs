@@ -166,6 +166,7 @@ impl Machine {
                 on,
                 off,
             } => {
+                self.comparators.are_set = true;
                 let place = self.comparators.windows.get_mut(usize::from(number));
                 if let Some(comparator) = place {
                     *comparator = Some((source, Window { on, off }));
@@ -173,6 +174,7 @@ impl Machine {
                 self.compare();
             }
             MotionCommand::OutputComparator { on, off } => {
+                self.comparators.are_set = true;
                 // The one position of on = off switches it off (D208).
                 self.comparators.output = (on != off).then_some(Window { on, off });
                 self.compare();

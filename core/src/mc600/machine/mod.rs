@@ -269,6 +269,9 @@ impl Machine {
 
     /// Sets the outputs of the position comparators.
     fn compare(&mut self) {
+        if !self.comparators.are_set {
+            return;
+        }
         let position = |source: Compared| match source {
             Compared::Feedback => self.get(SysVar::GvFeedback),
             Compared::Master => self.get(SysVar::GvMaster),

@@ -28,6 +28,8 @@ impl Window {
 /// The eight comparators of `mquotecmp`, and that of output 7.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Comparators {
+    /// Any of them was ever set: most programs compare nothing.
+    pub(super) are_set: bool,
     pub(super) windows: [Option<(Compared, Window)>; 8],
     pub(super) output: Option<Window>,
     /// `gv_compare%`.

@@ -137,17 +137,19 @@ impl Vm {
     }
 
     /// RETURN; gives the next operation.
+    #[inline(never)]
     pub(super) fn give_back(&mut self) -> Result<u32, ErrorCode> {
-        loop {
-            match self.frames.last() {
-                Some(&Frame::Gosub { back }) => {
-                    self.frames.pop();
-                    return Ok(back);
-                }
-                Some(Frame::For { .. }) => drop(self.frames.pop()),
+        while let Some(frame) = self.frames.pop() {
+            match frame {
+                Frame::Gosub { back } => return Ok(back),
+                Frame::For { .. } => {}
                 // An interrupt's subroutine ends with RETI alone.
-                Some(Frame::Interrupt { .. }) | None => return Err(ErrorCode::ReturnWithoutGosub),
+                Frame::Interrupt { .. } => {
+                    self.frames.push(frame);
+                    break;
+                }
             }
         }
+        Err(ErrorCode::ReturnWithoutGosub)
     }
 }

@@ -48,6 +48,7 @@ impl Vm {
         let mut left = credit.balance;
         let exit = self.dispatch(ops, &mut left, world);
         credit.settle(left);
+        self.note_place(exit, left);
         exit
     }
 
@@ -61,7 +62,13 @@ impl Vm {
         let mut left = 1;
         let exit = self.dispatch(&ops, &mut left, world);
         credit.settle(before.saturating_add(left));
+        self.note_place(exit, left);
         exit
+    }
+
+    /// Only what waits with credit left is in the middle of its statement.
+    fn note_place(&mut self, exit: Exit, left: i64) {
+        self.between_statements = left <= 0 || !matches!(exit, Exit::Wait(_));
     }
 
     #[allow(clippy::indexing_slicing)] // masked to the registers' number, see `register!`
@@ -209,8 +216,6 @@ impl Vm {
                         Flow::Jump(target) => pc = target,
                         Flow::Again(exit) => {
                             self.pc = pc - 1;
-                            // What waits is in the middle of its statement.
-                            self.between_statements = !matches!(exit, Exit::Wait(_));
                             return exit;
                         }
                         Flow::Leave(exit) => {
@@ -223,7 +228,6 @@ impl Vm {
             credit -= i64::from(op.cost) * COST_UNIT;
         }
         (self.pc, *left) = (pc, credit);
-        self.between_statements = true;
         if self.is_printing() {
             Exit::Wait(Wait::Output)
         } else {
