@@ -5,7 +5,21 @@ use super::super::machine::Machine;
 use super::{Frame, Vm};
 use crate::exec::Credit;
 
+/// An interrupt whose subroutine runs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Interrupted {
+    /// Which frame leads back.
+    frame: usize,
+    source: u8,
+}
+
 impl Vm {
+    /// Whether a frame is an interrupt's.
+    pub(super) fn is_interrupt(&self, frame: usize) -> bool {
+        let innermost = self.interrupted.last();
+        innermost.is_some_and(|interrupted| interrupted.frame == frame)
+    }
+
     /// Calls the subroutine of an interrupt that waits, if the program stands between two statements. That costs the time
     /// of a statement, so that a debugger can tell the places before and behind it apart.
     pub fn enter_interrupt(&mut self, credit: &mut Credit, machine: &mut Machine) {
@@ -26,7 +40,11 @@ impl Vm {
         let (source, line) = machine.interrupts.take()?;
         // The line was there when it was set up, and the program has not changed since.
         let target = self.image.line_start(line)?;
-        self.frames.push(Frame::Interrupt { back, source });
+        self.interrupted.push(Interrupted {
+            frame: self.frames.len(),
+            source,
+        });
+        self.frames.push(Frame::Gosub { back });
         Some(target)
     }
 
@@ -43,17 +61,14 @@ impl Vm {
         &mut self,
         world: &mut super::World,
     ) -> Result<u32, ErrorCode> {
-        let interrupted = self
-            .frames
-            .iter()
-            .rposition(|frame| matches!(frame, Frame::Interrupt { .. }));
-        let Some(&Frame::Interrupt { back, source }) =
-            interrupted.and_then(|at| self.frames.get(at))
-        else {
-            return Err(ErrorCode::ReturnWithoutGosub);
-        };
-        self.frames.truncate(interrupted.unwrap_or_default());
-        world.machine.interrupts.done(source);
-        Ok(self.interrupt(back, world.machine).unwrap_or(back))
+        // Frames may have been given up since, by a RUN or a loop that began anew further out.
+        while let Some(Interrupted { frame, source }) = self.interrupted.pop() {
+            world.machine.interrupts.done(source);
+            if let Some(&Frame::Gosub { back }) = self.frames.get(frame) {
+                self.frames.truncate(frame);
+                return Ok(self.interrupt(back, world.machine).unwrap_or(back));
+            }
+        }
+        Err(ErrorCode::ReturnWithoutGosub)
     }
 }

@@ -21,17 +21,10 @@ pub enum Frame {
         /// The first operation of the body.
         body: u32,
     },
-    /// GOSUB.
+    /// GOSUB, or an interrupt.
     Gosub {
-        /// Where RETURN goes.
+        /// Where RETURN or RETI goes.
         back: u32,
-    },
-    /// An interrupt.
-    Interrupt {
-        /// Where RETI goes.
-        back: u32,
-        /// What is let in again by it.
-        source: u8,
     },
 }
 
@@ -40,7 +33,7 @@ impl Frame {
     pub fn place(&self) -> u32 {
         match *self {
             Frame::For { body, .. } => body,
-            Frame::Gosub { back } | Frame::Interrupt { back, .. } => back,
+            Frame::Gosub { back } => back,
         }
     }
 }
@@ -114,7 +107,7 @@ impl Vm {
         let calls = self
             .frames
             .iter()
-            .rposition(|frame| !matches!(frame, Frame::For { .. }));
+            .rposition(|frame| matches!(frame, Frame::Gosub { .. }));
         let found = self
             .frames
             .iter()
@@ -137,17 +130,15 @@ impl Vm {
     }
 
     /// RETURN; gives the next operation.
-    #[inline(never)]
     pub(super) fn give_back(&mut self) -> Result<u32, ErrorCode> {
         while let Some(frame) = self.frames.pop() {
-            match frame {
-                Frame::Gosub { back } => return Ok(back),
-                Frame::For { .. } => {}
+            if let Frame::Gosub { back } = frame {
                 // An interrupt's subroutine ends with RETI alone.
-                Frame::Interrupt { .. } => {
+                if self.is_interrupt(self.frames.len()) {
                     self.frames.push(frame);
                     break;
                 }
+                return Ok(back);
             }
         }
         Err(ErrorCode::ReturnWithoutGosub)

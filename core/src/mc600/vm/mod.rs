@@ -44,6 +44,8 @@ pub struct Vm {
     string_bytes: usize,
     /// Loops and calls that are open, innermost last.
     pub frames: Vec<Frame>,
+    /// Interrupts whose subroutines run, innermost last.
+    interrupted: Vec<interrupt::Interrupted>,
     /// The next operation.
     pub pc: u32,
     /// The next operation begins a statement: an interrupt may enter.
@@ -73,6 +75,7 @@ impl Default for Vm {
             arrays: Vec::new(),
             string_bytes: 0,
             frames: Vec::new(),
+            interrupted: Vec::new(),
             pc: 0,
             between_statements: true,
             data: 0,
@@ -94,6 +97,7 @@ impl Vm {
         self.arrays.clear();
         self.string_bytes = 0;
         self.frames.clear();
+        self.interrupted.clear();
         self.data = 0;
         self.give_up();
         self.take_in_symbols();

@@ -85,7 +85,7 @@ impl Vm {
         let mut pc = self.pc;
         let mut credit = *left;
         while credit > 0 {
-            let Some(&op) = usize::try_from(pc).ok().and_then(|pc| ops.get(pc)) else {
+            let Some(op) = usize::try_from(pc).ok().and_then(|pc| ops.get(pc)) else {
                 (self.pc, *left) = (pc, credit);
                 return Exit::End;
             };
@@ -211,7 +211,7 @@ impl Vm {
                 Code::Nothing => {}
                 _ => {
                     (self.pc, *left) = (pc, credit);
-                    match attempt!(self.slow(op, ops, world)) {
+                    match attempt!(self.slow(*op, ops, world)) {
                         Flow::Next => {}
                         Flow::Jump(target) => pc = target,
                         Flow::Again(exit) => {
