@@ -11,6 +11,7 @@
 mod bench;
 mod mc600_cam;
 mod mc600_drive;
+mod mc600_extremes;
 mod mc600_gear;
 mod mc600_home;
 mod mc600_master;

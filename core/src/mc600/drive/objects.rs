@@ -117,6 +117,8 @@ const OBJECTS: [Range; 23] = [
     row(0x3628, Object::Vref, 10_000, 1, MAX, Write),
 ];
 
+/// Lengths on the planner's scale go no further: 32 bits of counts.
+const LONGEST: i128 = 1 << 40;
 /// Peak current of the drive in mA (D204).
 const IPEAK: i32 = 6000;
 /// The first of the sixteen user variables.
@@ -251,6 +253,6 @@ impl Objects {
         let revolution = 1i128 << self.get(Object::Prbase);
         let scaled = i128::from(length) * i128::from(output) * i128::from(turn);
         let scaled = scaled.div_euclid(i128::from(input.max(1)) * revolution);
-        i64::try_from(scaled).unwrap_or(0)
+        i64::try_from(scaled.clamp(-LONGEST, LONGEST)).unwrap_or(0)
     }
 }

@@ -9,6 +9,9 @@ use crate::motion::ramp::{
     RampLimits, next_velocity_to_speed, next_velocity_to_target, stopping_distance,
 };
 
+/// No axis goes further in a sample, in 1/256 count; it keeps the arithmetic far from its bounds.
+const FURTHEST: i128 = 1 << 40;
+
 /// Where the engagement stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum State {
@@ -139,7 +142,8 @@ impl Gear {
         }
         let total = i128::from(master) * numerator + self.remainder;
         self.remainder = total.rem_euclid(denominator);
-        i64::try_from(total.div_euclid(denominator)).unwrap_or(0)
+        let way = total.div_euclid(denominator);
+        i64::try_from(way.clamp(-FURTHEST, FURTHEST)).unwrap_or(0)
     }
 
     /// The velocity of the next sample, in which the master moves by `master` (1/256 count).
@@ -176,7 +180,11 @@ impl Gear {
         if self.recovers {
             self.ahead = self.ahead.wrapping_add(gained);
         }
-        let left = if self.recovers { to_go - gained } else { 0 };
+        let left = if self.recovers {
+            to_go.wrapping_sub(gained)
+        } else {
+            0
+        };
         self.state = match self.state {
             State::Released => State::Released,
             _ if gained == 0 && left == 0 => State::Locked,
@@ -222,7 +230,7 @@ fn lower_acceleration(gaining: i64, to_go: i64, acceleration: i64) -> i64 {
     let lowest = i64::try_from(lowest).unwrap_or(acceleration).max(1);
     let suffices = |a: &i64| {
         let next = (gaining.abs() - a).max(0);
-        next + stopping_distance(next, *a) <= to_go.abs()
+        stopping_distance(next, *a).saturating_add(next) <= to_go.saturating_abs()
     };
     // Rounding makes a difference of one or two.
     let mut candidates = lowest..lowest.saturating_add(4).min(acceleration);
