@@ -357,20 +357,26 @@ impl Mc600 {
         if self.debugger.holds() {
             return false;
         }
-        if self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in() {
+        let interrupts = self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in();
+        if interrupts {
             self.vm.enter_interrupt(&mut self.credit, &mut self.machine);
         }
+        // A statement that has waited is ended by itself, so that an interrupt enters behind it.
+        let ends_statement = interrupts && self.vm.is_amid_a_statement();
         let mut world = World {
             machine: &mut self.machine,
             console: &mut self.console,
             log: log_motion.then_some(&mut self.log),
             samples: self.samples,
         };
-        let exit = self
-            .debugger
-            .run(&mut self.vm, &mut self.credit, &mut world);
+        let exit = if ends_statement {
+            self.vm.step(&mut self.credit, &mut world)
+        } else {
+            self.debugger
+                .run(&mut self.vm, &mut self.credit, &mut world)
+        };
         match exit {
-            Exit::Credit => return false,
+            Exit::Credit => return ends_statement,
             Exit::Wait(wait) => {
                 self.waiting = Some(wait);
                 return false;

@@ -35,6 +35,11 @@ impl Vm {
         }
     }
 
+    /// Whether a statement of the program has begun and waits for something.
+    pub fn is_amid_a_statement(&self) -> bool {
+        !self.between_statements && self.pc < self.image.program_ops
+    }
+
     /// Opens the frame of the interrupt that comes first; gives the first operation of its subroutine.
     fn interrupt(&mut self, back: u32, machine: &mut Machine) -> Option<u32> {
         let (source, line) = machine.interrupts.take()?;
