@@ -133,6 +133,8 @@ pub enum Handle {
     Knob(Range),
     /// A switch between the ends of a range, and any value between them.
     Pin(Range),
+    /// Pushed by one of these at a time; it has no value that stays.
+    Jog(&'static [f64]),
 }
 
 /// What a knob can be turned to.

@@ -141,11 +141,13 @@ pub enum StatementKind {
     Save(Option<Expr>),
     /// `LOAD "name"`
     Load(Expr),
-    /// A motion, drive or I/O call: `MMOVE(40960)`, `MDRVEN()`, `OUTW(255)`. The arguments are counted by the parser.
+    /// `RETI`
+    Reti,
+    /// A motion, drive, interrupt or I/O call: `MMOVE(40960)`, `MCAM(T%)`. The arguments are counted by the parser.
     Call {
-        /// MSPEED MMOVE MIMOVE MIDLE MCLRFAULT MDRVEN MDRVDIS OUTW
+        /// One of the calls of `motion_calls`.
         keyword: Keyword,
-        /// Numeric expressions.
+        /// Numeric expressions, and the names of tables.
         arguments: Vec<Expr>,
     },
     /// A word of the table that this firmware does not do (yet).
@@ -294,6 +296,8 @@ pub enum Function {
     Abs,
     Atn,
     Asc,
+    /// `CAN_DATA%(mailbox)`
+    CanData,
     ChrS,
     Cos,
     Exp,
@@ -307,6 +311,8 @@ pub enum Function {
     Outsta,
     RightS,
     Rnd,
+    Sdoerror,
+    Sdoread,
     Sgn,
     Sin,
     Sqr,

@@ -151,8 +151,9 @@ pub enum Code {
     GetSystem,
     /// `system variable a = rb`
     SetSystem,
-    /// Motion call `a` with the argument `rb`
+    /// Motion call `a` with its arguments in registers from `b`
     Motion,
+
     /// `DIM` of array `a`, `c` sizes in registers from `b`
     Dim,
 
@@ -225,6 +226,8 @@ pub enum Code {
     Stop,
     /// Hands over to the firmware: see [`SystemCall`]; `a` is its number, `b` and `c` its operands
     System,
+    /// Returns from an interrupt
+    ReturnFromInterrupt,
     /// A breakpoint stands before the operation here
     Break,
 }

@@ -5,6 +5,7 @@ use super::code::{ANY, Op, SystemCall};
 use super::compile::{compile, compile_direct};
 use super::disks::FileName;
 use super::firmware::{ErrorCode, LAST_LINE, MEMORY};
+use super::interrupts::Interrupts;
 use super::lexer::line_number;
 use super::parser::parse_line;
 use super::program::{Program, STORED_LENGTH};
@@ -40,6 +41,7 @@ impl Mc600 {
         self.vm.symbols = super::symbols::Symbols::default();
         self.vm.program_bytes = self.program.bytes();
         self.vm.clear();
+        self.machine.interrupts = Interrupts::new();
     }
 
     pub(super) fn new_program(&mut self) {
@@ -131,6 +133,7 @@ impl Mc600 {
             None => 0,
         };
         self.vm.clear();
+        self.machine.interrupts = Interrupts::new();
         self.vm.pc = pc;
         (self.resume, self.error) = (None, None);
         self.mode = Mode::Running;

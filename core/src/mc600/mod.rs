@@ -16,11 +16,12 @@ mod drive;
 pub mod firmware;
 pub mod first_steps;
 mod functions;
+mod interrupts;
 mod jumps;
 pub mod keywords;
 mod lexer;
 pub mod machine;
-mod motion_calls;
+pub mod motion_calls;
 pub mod parser;
 mod planner;
 pub mod program;
@@ -41,6 +42,7 @@ use disks::Disks;
 use firmware::{BYTE_COST, COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
 use keywords::{Keyword, keyword};
 use machine::{Machine, MotionCommand};
+use planner::encoder::Interface;
 use program::Program;
 use vm::{Vm, World};
 
@@ -61,6 +63,10 @@ pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "password",
         help: "the password (default: PASSWORD)",
+    },
+    Opt {
+        key: "encoder",
+        help: "of the master: quadrature (default), pulse, 24v, 24v-pulse, sincos, or servobus",
     },
     Opt {
         key: "without",
@@ -126,6 +132,8 @@ pub struct Mc600 {
     error: Option<String>,
     debugger: Debugger,
     next: Nanos,
+    /// When the last sample began.
+    sampled: Nanos,
     samples: u64,
     locked: bool,
     alias: Option<String>,
@@ -163,6 +171,7 @@ impl Mc600 {
             error: None,
             debugger: Debugger::default(),
             next: Nanos::ZERO,
+            sampled: Nanos::ZERO,
             samples: 0,
             locked: false,
             alias: None,
@@ -192,6 +201,12 @@ impl Mc600 {
             ("locked", _) => return Err("locked is yes or no".to_owned()),
             ("alias", name) => self.alias = (!name.is_empty()).then(|| name.to_owned()),
             ("password", word) => self.password = word.to_owned(),
+            ("encoder", name) => {
+                let known = Interface::NAMES.iter().find(|(known, _)| *known == name);
+                let names = Interface::NAMES.map(|(name, _)| name).join(", ");
+                let (_, interface) = known.ok_or_else(|| format!("encoder is one of {names}"))?;
+                self.machine.set_encoder(*interface);
+            }
             ("without", word) => {
                 let keyword =
                     keyword(word).ok_or_else(|| format!("mc600 has no keyword '{word}'"))?;
@@ -344,17 +359,26 @@ impl Mc600 {
         if self.debugger.holds() {
             return false;
         }
+        let interrupts = self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in();
+        if interrupts {
+            self.vm.enter_interrupt(&mut self.credit, &mut self.machine);
+        }
+        // A statement that has waited is ended by itself, so that an interrupt enters behind it.
+        let ends_statement = interrupts && self.vm.is_amid_a_statement();
         let mut world = World {
             machine: &mut self.machine,
             console: &mut self.console,
             log: log_motion.then_some(&mut self.log),
             samples: self.samples,
         };
-        let exit = self
-            .debugger
-            .run(&mut self.vm, &mut self.credit, &mut world);
+        let exit = if ends_statement {
+            self.vm.step(&mut self.credit, &mut world)
+        } else {
+            self.debugger
+                .run(&mut self.vm, &mut self.credit, &mut world)
+        };
         match exit {
-            Exit::Credit => return false,
+            Exit::Credit => return ends_statement,
             Exit::Wait(wait) => {
                 self.waiting = Some(wait);
                 return false;

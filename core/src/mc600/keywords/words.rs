@@ -90,11 +90,11 @@ words! {
         "INSTA()" "The card's eight digital inputs, input 0 in bit 0." "120 PRINT INSTA()";
     Int "INT" "function" KEYWORDS Full
         "INT(number)" "The greatest whole number that is not above the number." "120 PRINT INT(-12.34)";
-    Intdisable "INTDISABLE" "motion" INTERRUPTS LATER
+    Intdisable "INTDISABLE" "motion" INTERRUPTS Full
         "INTDISABLE()" "Holds interrupts back." "10 INTDISABLE()";
-    Intenable "INTENABLE" "motion" INTERRUPTS LATER
+    Intenable "INTENABLE" "motion" INTERRUPTS Full
         "INTENABLE()" "Lets interrupts in." "10 INTENABLE()";
-    Intsetup "INTSETUP" "motion" INTERRUPTS LATER
+    Intsetup "INTSETUP" "motion" INTERRUPTS Full
         "INTSETUP(line,source,edge)" "Names the line that an interrupt source calls, and the edge: 0 off, 1 rising, 2 falling, 3 both." "10 INTSETUP(1000,3,1)";
     Intsta "INTSTA" "function" KEYWORDS Full
         "INTSTA()" "INSTA, as the manual's own example spells it." "120 PRINT INTSTA()";
@@ -110,15 +110,15 @@ words! {
         "LOAD \"name\"" "Replaces the program by a file's." "LOAD \"B:TEST2.BAS\"";
     Log "LOG" "function" KEYWORDS Full
         "LOG(number)" "Natural logarithm." "25 PRINT LOG(45/7)";
-    Mcam "MCAM" "motion" MOTION LATER
+    Mcam "MCAM" "motion" MOTION Full
         "MCAM(table%)" "Follows a cam table as function of the master, after bringing speed and phase up to it." "10 MCAM(T%)";
-    Mcamend "MCAMEND" "motion" MOTION LATER
+    Mcamend "MCAMEND" "motion" MOTION Full
         "MCAMEND()" "Leaves the cam at the end of the present modulus." "10 MCAMEND()";
-    Mcamhard "MCAMHARD" "motion" MOTION LATER
+    Mcamhard "MCAMHARD" "motion" MOTION Full
         "MCAMHARD(table%)" "Follows a cam table at once." "10 MCAMHARD(T%)";
-    Mcanrx "MCANRX" "motion" SERVOBUS LATER
+    Mcanrx "MCANRX" "motion" SERVOBUS Full
         "MCANRX(box,identifier)" "Sets a mailbox, 0 to 7, to receive telegrams of an identifier." "10 MCANRX(0,100)";
-    Mcantx "MCANTX" "motion" SERVOBUS LATER
+    Mcantx "MCANTX" "motion" SERVOBUS Full
         "MCANTX(identifier,data)" "Sends a telegram; identifiers are 1 to 2047." "10 MCANTX(100,X%)";
     Mclrfault "MCLRFAULT" "drive" DRIVE Full
         "MCLRFAULT()" "Clears the drive's fault." "10 MCLRFAULT()";
@@ -128,41 +128,41 @@ words! {
         "MDRVEN()" "Enables the drive." "10 MDRVEN()";
     Merge "MERGE" "command" KEYWORDS LATER
         "MERGE \"name\"" "Adds a file's lines to the program; equal numbers are replaced." "MERGE \"B:TEST2.BAS\"";
-    Mgear "MGEAR" "motion" MOTION LATER
+    Mgear "MGEAR" "motion" MOTION Full
         "MGEAR(type)" "Follows the master at a ratio; types 1 to 8 say when and how it engages." "10 MGEAR(1)";
-    Mhome "MHOME" "motion" MOTION LATER
+    Mhome "MHOME" "motion" MOTION Full
         "MHOME(command)" "Starts (1) or aborts (2) the drive's homing." "10 MHOME(1)";
     MidS "MID$" "function" KEYWORDS Full
         "MID$(string,start[,count])" "Characters from the middle of a string, the first being 1." "30 PRINT MID$(B$,8,8)";
     Midle "MIDLE" "motion" MOTION Full
         "MIDLE()" "Leaves the active generator and stops the axis." "10 MIDLE()";
-    Mimerge "MIMERGE" "motion" MOTION LATER
+    Mimerge "MIMERGE" "motion" MOTION Full
         "MIMERGE(distance)" "MMERGE to a place relative to the last target." "10 MIMERGE(4096)";
     Mimove "MIMOVE" "motion" MOTION Full
         "MIMOVE(distance)" "Moves on from the last target by a distance in counts." "10 MIMOVE(4096)";
-    Mmerge "MMERGE" "motion" MOTION LATER
+    Mmerge "MMERGE" "motion" MOTION Full
         "MMERGE(position)" "Moves to a position at the speed that the axis has now." "10 MMERGE(100000)";
     Mmove "MMOVE" "motion" MOTION Full
         "MMOVE(position)" "Moves to a position in counts." "20 MMOVE(40960)";
     Mod "MOD" "function" KEYWORDS Full
         "MOD(a,b)" "Remainder of the division of two integers." "25 PRINT MOD(9,2)";
-    Mphase "MPHASE" "motion" MOTION LATER
+    Mphase "MPHASE" "motion" MOTION Full
         "MPHASE(position)" "Moves an offset that is added to the active generator's position." "10 MPHASE(1000)";
-    Mquotecmp "MQUOTECMP" "motion" INTERRUPTS LATER
+    Mquotecmp "MQUOTECMP" "motion" INTERRUPTS Full
         "MQUOTECMP(source,comparator,on,off)" "Sets the range in which a position comparator, 0 to 7, is on." "10 MQUOTECMP(0,1,1000,2000)";
-    Msetincap "MSETINCAP" "io" IO LATER
+    Msetincap "MSETINCAP" "io" IO Full
         "MSETINCAP(input,edge,time)" "Captures the position at an edge of input 2 (0) or 3 (1)." "10 MSETINCAP(0,1,0)";
-    Msetoutcmp "MSETOUTCMP" "io" IO LATER
+    Msetoutcmp "MSETOUTCMP" "io" IO Full
         "MSETOUTCMP(on,off)" "Drives output 7 by the motor's position." "10 MSETOUTCMP(1000,2000)";
-    Msetsb "MSETSB" "motion" SERVOBUS LATER
+    Msetsb "MSETSB" "motion" SERVOBUS Full
         "MSETSB(mode)" "Makes the card the bus's master (1) or a slave (0)." "10 MSETSB(1)";
     Mspeed "MSPEED" "motion" MOTION Full
         "MSPEED(speed)" "Turns at a speed in counts*256/sample, reached at SM_ACC%." "10 MSPEED(34952)";
-    Mspline "MSPLINE" "motion" MOTION LATER
+    Mspline "MSPLINE" "motion" MOTION Full
         "MSPLINE(xy%,last,table%)" "Fills a cam table of 360 entries with a cubic spline through pairs of points." "10 MSPLINE(XY%,7,T%)";
-    Mvirtualax "MVIRTUALAX" "motion" MOTION LATER
+    Mvirtualax "MVIRTUALAX" "motion" MOTION Full
         "MVIRTUALAX(position)" "Moves the virtual axis that is added to the master." "10 MVIRTUALAX(40960)";
-    Mvspeed "MVSPEED" "motion" MOTION LATER
+    Mvspeed "MVSPEED" "motion" MOTION Full
         "MVSPEED(speed)" "Turns the virtual axis that is added to the master." "10 MVSPEED(34952)";
     New "NEW" "command" KEYWORDS Full
         "NEW" "Forgets the program and all variables." "NEW";
@@ -192,7 +192,7 @@ words! {
         "RENUM [start][,increment]" "Numbers the lines anew, and every jump with them; 10, 20, 30 if not told." "RENUM 100,5";
     Restore "RESTORE" "statement" KEYWORDS Full
         "RESTORE" "Lets READ begin again at the first DATA." "200 RESTORE";
-    Reti "RETI" "statement" INTERRUPTS LATER
+    Reti "RETI" "statement" INTERRUPTS Full
         "RETI" "Returns from an interrupt's subroutine and lets its source in again." "1100 RETI";
     Return "RETURN" "statement" KEYWORDS Full
         "RETURN" "Goes back behind the GOSUB." "1000 RETURN";
@@ -204,11 +204,11 @@ words! {
         "RUN [\"name\"][,line] | RUN line" "Clears the variables and starts the program, or a file's, at its first line or another." "RUN \"FOO.BAS\",500";
     Save "SAVE" "command" KEYWORDS Full
         "SAVE [\"name\"]" "Writes the program to a file; .BAS is added to a name without extension." "SAVE \"TEST\"";
-    Sdoerror "SDOERROR" "drive" DRIVE LATER
+    Sdoerror "SDOERROR" "drive" DRIVE Full
         "SDOERROR()" "Error code of the last SDOREAD or SDOWRITE." "10 PRINT SDOERROR()";
-    Sdoread "SDOREAD" "drive" DRIVE LATER
+    Sdoread "SDOREAD" "drive" DRIVE Full
         "SDOREAD(object)" "Value of a drive parameter." "10 X% = SDOREAD(&H35C8)";
-    Sdowrite "SDOWRITE" "drive" DRIVE LATER
+    Sdowrite "SDOWRITE" "drive" DRIVE Full
         "SDOWRITE(object,value)" "Writes a drive parameter." "10 SDOWRITE(&H3628,5000)";
     Sgn "SGN" "function" KEYWORDS Full
         "SGN(number)" "-1, 0 or 1 by the number's sign." "90 ON SGN(D)+2 GOTO 100,200,300";

@@ -9,15 +9,7 @@ use crate::mc600::ast::{
 };
 use crate::mc600::keywords::Keyword;
 use crate::mc600::lexer::{TokenKind, is_blank, read_line_number};
-
-/// How many arguments a call takes that is a statement by itself.
-fn call_arguments(keyword: Keyword) -> Option<usize> {
-    match keyword {
-        Keyword::Mspeed | Keyword::Mmove | Keyword::Mimove | Keyword::Outw => Some(1),
-        Keyword::Midle | Keyword::Mclrfault | Keyword::Mdrven | Keyword::Mdrvdis => Some(0),
-        _ => None,
-    }
-}
+use crate::mc600::motion_calls;
 
 impl Parser<'_> {
     pub(super) fn statement_kind(&mut self) -> Parsed<StatementKind> {
@@ -45,6 +37,7 @@ impl Parser<'_> {
             Keyword::Goto | Keyword::GoTo => self.jump().map(StatementKind::Goto),
             Keyword::Gosub => self.jump().map(StatementKind::Gosub),
             Keyword::Return => Ok(StatementKind::Return),
+            Keyword::Reti => Ok(StatementKind::Reti),
             Keyword::On => self.on(),
             Keyword::If => self.if_then(),
             Keyword::For => self.for_to(),
@@ -83,7 +76,7 @@ impl Parser<'_> {
     }
 
     fn call(&mut self, keyword: Keyword, span: Span) -> Parsed<StatementKind> {
-        if let Some(count) = call_arguments(keyword) {
+        if let Some(count) = motion_calls::arguments(keyword) {
             let arguments = self.arguments(keyword, count, count)?;
             return Ok(StatementKind::Call { keyword, arguments });
         }

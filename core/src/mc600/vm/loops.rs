@@ -21,9 +21,9 @@ pub enum Frame {
         /// The first operation of the body.
         body: u32,
     },
-    /// GOSUB.
+    /// GOSUB, or an interrupt.
     Gosub {
-        /// Where RETURN goes.
+        /// Where RETURN or RETI goes.
         back: u32,
     },
 }
@@ -133,6 +133,11 @@ impl Vm {
     pub(super) fn give_back(&mut self) -> Result<u32, ErrorCode> {
         while let Some(frame) = self.frames.pop() {
             if let Frame::Gosub { back } = frame {
+                // An interrupt's subroutine ends with RETI alone.
+                if self.is_interrupt(self.frames.len()) {
+                    self.frames.push(frame);
+                    break;
+                }
                 return Ok(back);
             }
         }

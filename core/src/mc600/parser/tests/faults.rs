@@ -159,12 +159,6 @@ fn what_does_not_work_says_so_whatever_it_is_written_with() {
         ("GOTOXY 50, 10", "GOTOXY"),
         ("INPUT#1,AA,BB,CC", "INPUT"),
         ("PRINT#1,A", "PRINT"),
-        ("MCAM(CAMTAB%)", "MCAM"),
-        ("X=SDOREAD(&H35C8)", "SDOREAD"),
-        ("GV_MMOD%=4096", "GV_MMOD%"),
-        ("X=CAN_DATA%(0)", "CAN_DATA%"),
-        ("minspped%=5", "MINSPEED%"),
-        ("RETI", "RETI"),
     ] {
         check(text, &format!("absent {word}"));
         check(

@@ -124,7 +124,7 @@ fn statement(kind: &StatementKind) -> String {
         K::Save(name) => format!("save{}", joined(name.as_slice(), expr)),
         K::Load(name) => format!("load {}", expr(name)),
         K::Call { keyword, arguments } => format!("call {}({})", keyword.word(), list(arguments)),
-        K::Return | K::Rem | K::Restore | K::End | K::Stop | K::New | K::Cont => {
+        K::Return | K::Reti | K::Rem | K::Restore | K::End | K::Stop | K::New | K::Cont => {
             format!("{kind:?}").to_lowercase()
         }
     }
