@@ -70,6 +70,8 @@ pub struct Kind {
     pub enable_input: Option<usize>,
     /// The lamps at its outputs.
     pub lamps: Lamps,
+    /// It has cam tables that [`crate::controller::Debug::Cam`] tells.
+    pub has_cam: bool,
     /// Where it keeps files.
     pub disks: &'static [DiskInfo],
     /// How a terminal at its console is best set.
@@ -192,6 +194,7 @@ pub const KINDS: &[Kind] = &[
         inputs: mc600::wiring::INPUTS,
         enable_input: Some(mc600::wiring::ENABLE),
         lamps: mc600::wiring::LAMPS,
+        has_cam: true,
         disks: mc600::disks::DISKS,
         terminal: TerminalSettings {
             local_echo: false,
@@ -220,6 +223,7 @@ pub const KINDS: &[Kind] = &[
         inputs: smartmotor::wiring::INPUTS,
         enable_input: None,
         lamps: smartmotor::wiring::LAMPS,
+        has_cam: false,
         disks: &[],
         // It does not echo, and ends its answers with a bare CR.
         terminal: TerminalSettings {

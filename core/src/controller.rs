@@ -271,6 +271,8 @@ pub enum Debug {
     Read(String),
     /// Sets a variable.
     Write(String, Value),
+    /// The cam table that is in use.
+    Cam,
 }
 
 /// What a debugger is told.
@@ -280,8 +282,21 @@ pub enum DebugReply {
     Done,
     /// A value was asked for.
     Value(Value),
+    /// The cam table was asked for.
+    Cam(CamTable),
     /// It cannot be done; one clear line.
     Refused(String),
+}
+
+/// A cam table, for a drawing.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct CamTable {
+    /// Its points, in counts of the axis; they stand at equal distances of the master.
+    pub points: Vec<i32>,
+    /// Where the master stands, in points from the first.
+    pub at: f64,
+    /// Where the axis is to be there, in counts.
+    pub demand: f64,
 }
 
 /// A value of some controller's language.

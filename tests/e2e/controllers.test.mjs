@@ -62,6 +62,33 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+siteTest("the master's encoder is turned, and the cam is drawn with its place", async (page, { shot }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await printedEnd(page, ">");
+  const program = [
+    "10 DIM T%(359) : FOR N=0 TO 359 : T%(N)=4096*SIN(N*3.14159/180) : NEXT",
+    "20 GV_MMOD%=4096 : MDRVEN() : MCAMHARD(T%)",
+    "RUN",
+  ];
+  await page.keyboard.type(`${program.join("\n")}\n`);
+  await eventually("the program has ended", async () => /RUN\n>$/.test(await printed(page)) || printed(page));
+  await page.getByRole("button", { name: "Knobs" }).click();
+  await page.getByRole("slider", { name: "Master encoder" }).fill("120");
+  await accessible(page);
+  await shot("knobs");
+  await page.keyboard.press("Escape");
+  await page.getByText("axis moves", { exact: true }).waitFor();
+  await page.getByRole("button", { name: "Cam", exact: true }).click();
+  const curve = page.getByRole("img", { name: /360 points/ });
+  await curve.waitFor();
+  const place = () => page.locator(".cam .place").getAttribute("cx");
+  const before = await place();
+  await eventually("the place moves on", async () => (await place()) !== before || before);
+  await accessible(page);
+  await page.waitForTimeout(1000);
+  await shot("cam");
+});
+
 siteTest("a program is sent to the controller without being started", async (page) => {
   await printedEnd(page, ">");
   await page.getByText("not in the controller").waitFor();

@@ -18,6 +18,9 @@ pub(super) fn Popover(
     /// Classes of the button.
     #[prop(default = "tool")]
     class: &'static str,
+    /// Called when it opens, with `true`, and when it closes.
+    #[prop(optional, into)]
+    on_toggle: Option<Callback<bool>>,
     children: Children,
 ) -> impl IntoView {
     static NEXT: AtomicU32 = AtomicU32::new(0);
@@ -35,7 +38,12 @@ pub(super) fn Popover(
             {label.run()}
             <span class="caret" aria-hidden="true"></span>
         </button>
-        <div class="popover" popover="auto" id=id role="group" aria-label=name node_ref=opened>
+        <div class="popover" popover="auto" id=id role="group" aria-label=name node_ref=opened
+            on:toggle=move |_| {
+                if let (Some(call), Some(opened)) = (on_toggle, opened.get_untracked()) {
+                    call.run(opened.matches(":popover-open").unwrap_or(false));
+                }
+            }>
             {children()}
         </div>
     }

@@ -208,6 +208,10 @@ impl Controller for Mc600 {
                 true => DebugReply::Done,
                 false => DebugReply::Refused(format!("mc600 cannot set '{name}' to that")),
             },
+            Debug::Cam => match self.machine.cam_table() {
+                Some(table) => DebugReply::Cam(table),
+                None => DebugReply::Refused("no cam table has been used yet".to_owned()),
+            },
         }
     }
 

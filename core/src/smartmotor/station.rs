@@ -218,6 +218,7 @@ impl Controller for SmartMotor {
                 true => DebugReply::Done,
                 false => DebugReply::Refused(format!("smartmotor cannot set '{name}' to that")),
             },
+            Debug::Cam => DebugReply::Refused("a SmartMotor's cam is drawn from aw[]".to_owned()),
         }
     }
 

@@ -21,6 +21,7 @@ use super::planner::encoder::{Encoder, Interface};
 use super::planner::home::{Homing, Surroundings};
 use super::planner::{Blocked, Planner};
 use super::sysvars::SysVar;
+use crate::controller::CamTable;
 use crate::controller::Telegram;
 use crate::io::DigitalImage;
 use crate::plant::{PlantAxis, presets};
@@ -347,6 +348,11 @@ impl Machine {
             offset: objects.length(objects.get(Object::Roffs), turn),
             absolute: i64::from(self.absolute) << 8,
         }
+    }
+
+    /// The cam table that is or was in use.
+    pub fn cam_table(&self) -> Option<CamTable> {
+        self.planner.cam_table()
     }
 
     /// Lays a table ready for the `mcam` that follows.

@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use super::moves::Offset;
 use super::units::{FRACTION, Modulus};
+use crate::controller::CamTable;
 use crate::motion::ramp::{next_velocity_to_speed, next_velocity_to_target};
 
 /// Points of a table at power-up: what `mspline` makes (D195).
@@ -192,6 +193,26 @@ impl Cam {
     /// `cm_flag%`.
     pub fn flags(&self) -> i32 {
         i32::from(self.ending)
+    }
+
+    /// The points in use and where the master stands among them; `None` until there was a table.
+    pub fn picture(&self, master: &CamMaster, modulus: Modulus) -> Option<CamTable> {
+        let used = usize::try_from(self.points).unwrap_or(0);
+        let points: Vec<i32> = self.table.iter().take(used).copied().collect();
+        if points.is_empty() {
+            return None;
+        }
+        let turn = i64::from(master.modulus) << FRACTION;
+        let part = match turn > 0 {
+            true => master.position.rem_euclid(turn) as f64 / turn as f64,
+            false => 0.0,
+        };
+        let (demand, _) = self.demand(master.position, master.modulus, modulus);
+        Some(CamTable {
+            at: part * points.len() as f64,
+            demand: demand as f64 / f64::from(1 << FRACTION),
+            points,
+        })
     }
 
     /// `gv_mflag%` bit 3.

@@ -2,6 +2,7 @@
 
 use super::units::{FRACTION, Modulus, saturate};
 use super::{Generator, Planner, Reference};
+use crate::controller::CamTable;
 
 const STATUS_IDLE: i32 = 1 << 10;
 const STATUS_SPEED: i32 = 1 << 11;
@@ -114,6 +115,11 @@ impl Planner {
     /// Whether the last homing ended well.
     pub fn is_homed(&self) -> bool {
         self.homed
+    }
+
+    /// The cam's table, for a drawing.
+    pub fn cam_table(&self) -> Option<CamTable> {
+        self.cam.picture(&self.master.of_cam(), self.modulus)
     }
 
     /// Whether the cam's index has passed 0 in the last sample.
