@@ -338,13 +338,6 @@ pub struct Channel {
     pub data: bool,
 }
 
-/// The name of a variable: `a`, `bb`, `ccc`.
-pub fn variable_name(number: u16) -> String {
-    let letter = char::from(b'a' + u8::try_from(number % 26).unwrap_or(0));
-    let letters = usize::from(number / 26) + 1;
-    letter.to_string().repeat(letters)
-}
-
 /// The number of a variable: `a` is 0, `aa` 26, `aaa` 52.
 pub fn variable(name: &[u8]) -> Option<u16> {
     let (&first, rest) = name.split_first()?;

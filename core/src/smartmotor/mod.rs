@@ -4,7 +4,7 @@
 //! around the interpreter, `lexer`, `parser` and `compile` make operations of text, `vm` runs them on `memory`, `store`
 //! keeps the program, `motor` is everything behind it.
 
-pub mod ast;
+mod ast;
 mod code;
 mod compile;
 mod debugger;
@@ -16,7 +16,7 @@ mod lexer;
 mod line;
 mod memory;
 pub mod motor;
-pub mod parser;
+mod parser;
 mod station;
 pub mod store;
 mod vm;
