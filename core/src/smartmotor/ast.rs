@@ -233,7 +233,7 @@ pub enum Source {
     Length,
     /// `GETCHR`
     Character,
-    /// `DINA0`, `AINA1`: no such module is on the bench, they read 0.
+    /// `DINA0`, `AINA1`: no such module is on the bench, they read 0 (D148).
     ModuleInput,
 }
 

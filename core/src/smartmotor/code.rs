@@ -83,7 +83,7 @@ pub const LOOP_AND_WHILE: u8 = 2;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Code {
-    /// `rc = ra + rb`, round the 32 bits; that sets Bd
+    /// `rc = ra + rb`, round the 32 bits; that sets Bd (D135)
     Add,
     /// `rc = ra - rb`
     Subtract,

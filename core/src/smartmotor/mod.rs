@@ -35,7 +35,7 @@ use motor::{Flag, Motor};
 use store::{Store, strip};
 use vm::{Vm, World};
 
-/// What can be given when a motor is put on the bench.
+/// What can be given when a motor is put on the bench (D151).
 pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "speed",
