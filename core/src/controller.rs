@@ -50,7 +50,7 @@ pub struct ControllerInfo {
     pub axes: Vec<&'static str>,
     /// The console's line as it is at the factory.
     pub line: LineSettings,
-    /// What the console prints when it is ready for a command.
+    /// What the console prints when it is ready for a command; empty where it prints nothing.
     pub prompt: &'static str,
     /// What stops a running program from the console.
     pub attention: &'static [u8],
@@ -231,7 +231,7 @@ pub struct Status {
     pub enabled: bool,
     /// What has tripped the drive, in its own words; `None` while nothing has.
     pub fault: Option<String>,
-    /// The console stands at its prompt and nothing is typed.
+    /// The console stands at its prompt, or takes commands without one, and nothing is typed.
     pub at_prompt: bool,
     /// The last error that the program ended with, in the device's words; cleared by the next start.
     pub error: Option<String>,

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target};
+use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target, VARIABLES};
 use super::motor::{Command, Flag};
 
 /// Registers: variables, temporaries, constants of the host's command, constants of the program. A power of two.
@@ -19,6 +19,8 @@ pub const TEMPORARY: u16 = 80;
 pub const HOST_CONSTANTS: u16 = 96;
 /// The first constant of the program; what finds no room is loaded by an operation of its own.
 pub const PROGRAM_CONSTANTS: u16 = 352;
+
+const _: () = assert!(VARIABLES <= TEMPORARY);
 
 /// One operation. `a` and `b` are operands and `c` the result unless [`Code`] says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,7 +83,7 @@ pub const LOOP_AND_WHILE: u8 = 2;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Code {
-    /// `rc = ra + rb`, round the 32 bits; that sets Bd
+    /// `rc = ra + rb`, round the 32 bits; that sets Bd (D135)
     Add,
     /// `rc = ra - rb`
     Subtract,

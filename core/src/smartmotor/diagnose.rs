@@ -18,12 +18,6 @@ pub fn diagnose(text: &str) -> Vec<Diagnostic> {
     let source = latin1::bytes(text);
     let mut found = strangers(text);
     let strange: Vec<u32> = found.iter().map(|found| found.line).collect();
-    let (_, problems) = compile(&source, None);
-    // A line with characters that the motor does not have is not judged further.
-    let problems = problems
-        .into_iter()
-        .filter(|problem| strange.binary_search(&problem.line).is_err());
-    found.extend(problems.map(diagnostic));
     let bytes = strip(&source).text.len();
     if bytes > PROGRAM_BYTES {
         found.push(diagnostic(Problem {
@@ -33,6 +27,13 @@ pub fn diagnose(text: &str) -> Vec<Diagnostic> {
             cause: format!("The motor keeps {PROGRAM_BYTES} bytes, and this program has {bytes}."),
             cure: None,
         }));
+    } else {
+        let (_, problems) = compile(&source, None);
+        // A line with characters that the motor does not have is not judged further.
+        let judged = problems
+            .into_iter()
+            .filter(|problem| strange.binary_search(&problem.line).is_err());
+        found.extend(judged.map(diagnostic));
     }
     found.sort_by_key(|found| (found.line, found.span));
     found

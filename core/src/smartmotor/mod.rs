@@ -4,7 +4,7 @@
 //! around the interpreter, `lexer`, `parser` and `compile` make operations of text, `vm` runs them on `memory`, `store`
 //! keeps the program, `motor` is everything behind it.
 
-pub mod ast;
+mod ast;
 mod code;
 mod compile;
 mod debugger;
@@ -17,7 +17,7 @@ mod lexer;
 mod line;
 mod memory;
 pub mod motor;
-pub mod parser;
+mod parser;
 mod station;
 pub mod store;
 mod vm;
@@ -37,7 +37,7 @@ use motor::{Flag, Motor};
 use store::{Store, strip};
 use vm::{Vm, World};
 
-/// What can be given when a motor is put on the bench.
+/// What can be given when a motor is put on the bench (D151).
 pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "speed",

@@ -229,15 +229,16 @@ impl Controller for SmartMotor {
             return refuse(0, "smartmotor has one program, and no files".to_owned());
         }
         let source = latin1::bytes(text);
+        let stripped = strip(&source);
+        if stripped.text.len() > PROGRAM_BYTES {
+            return refuse(0, format!("a program has at most {PROGRAM_BYTES} bytes"));
+        }
         let (_, problems) = compile(&source, self.without);
         if let Some(problem) = problems.first() {
             let message = format!("{}: {}", problem.name, problem.cause);
             return refuse(problem.line, message);
         }
-        let stripped = strip(&source);
-        if !self.download(stripped.text) {
-            return refuse(0, format!("a program has at most {PROGRAM_BYTES} bytes"));
-        }
+        self.download(stripped.text);
         Ok(Revision {
             number: self.store.revision,
             lines: stripped.lines,

@@ -63,8 +63,13 @@ fn causes_and_cures_are_plain() {
 
 #[test]
 fn a_program_that_is_too_long_is_told() {
-    let text = "a=1\n".repeat(9000) + "END";
-    assert_eq!(found(&text), [(0, "program too long".to_owned())]);
+    // Nothing else is said of it, and that at once.
+    for text in ["a=1\n", "IF 1 BREAK ", "WHILE 1 ELSE "] {
+        let text = text.repeat(200_000);
+        assert_eq!(found(&text), [(0, "program too long".to_owned())]);
+    }
+    let deep = "IF 1 ".repeat(6000);
+    assert_eq!(found(&deep).len(), 6001);
 }
 
 #[test]

@@ -175,7 +175,7 @@ impl Vm {
         true
     }
 
-    /// Calls a label from outside of the program. `false` if there is no such label, or no room for the call.
+    /// Calls a label from outside of the program (D144). `false` if there is no such label, or no room for the call.
     pub fn gosub(&mut self, label: u16) -> bool {
         let Some(&target) = self.program.image.labels.get(&label) else {
             return false;
