@@ -78,6 +78,11 @@ impl ServoBus {
         }
     }
 
+    /// Whether a sample sends nothing.
+    pub(super) fn is_silent(&self) -> bool {
+        !self.master && self.queue.is_empty()
+    }
+
     /// What goes out after a sample: the master's position first.
     pub(super) fn send(&mut self, position: i32) -> Vec<Telegram> {
         let mut telegrams = Vec::new();
