@@ -383,9 +383,14 @@ impl Mc600 {
         }
     }
 
-    /// System variables, and inputs and outputs by their short names.
+    /// System variables, mailboxes, and inputs and outputs by their short names.
     fn read_machine(&self, text: &str) -> Option<f64> {
         let lower = text.trim().to_ascii_lowercase();
+        let mailbox = lower.strip_prefix("can_data%(");
+        if let Some(number) = mailbox.and_then(|rest| rest.strip_suffix(')')) {
+            let data = self.machine.mailbox(number.trim().parse().ok()?);
+            return data.map(f64::from);
+        }
         let short = lower
             .strip_prefix("in")
             .or_else(|| lower.strip_prefix("out"));

@@ -37,10 +37,15 @@ const CALLS: [&str; 24] = [
     "MCANRX",
 ];
 
+fn one_of<T: Clone>(random: &mut Random, list: &[T]) -> T {
+    let at = random.below(list.len() as i64) as usize;
+    list.get(at).unwrap().clone()
+}
+
 /// Small, large, and at the ends of 32 bits.
 fn number(random: &mut Random) -> i32 {
     match random.below(4) {
-        0 => [0, 1, -1, i32::MAX, i32::MIN][random.below(5) as usize],
+        0 => one_of(random, &[0, 1, -1, i32::MAX, i32::MIN]),
         1 => random.below(10) as i32,
         _ => random.signed(i64::from(i32::MAX)) as i32,
     }
@@ -49,14 +54,13 @@ fn number(random: &mut Random) -> i32 {
 fn disturb(machine: &mut Machine, random: &mut Random) {
     match random.below(6) {
         0 => {
-            let wires = Machine::wires();
-            let wire = &wires[random.below(wires.len() as i64) as usize];
+            let wire = one_of(random, &Machine::wires());
             let value = f64::from(number(random));
-            machine.wire(wire, value).unwrap();
+            machine.wire(&wire, value).unwrap();
         }
         1 => {
             let faults = ["drive", "limit+", "limit-", "stall", "encoder", "estop"];
-            let fault = faults[random.below(6) as usize];
+            let fault = one_of(random, &faults);
             machine.fault(fault, None, random.below(4) == 0).unwrap();
         }
         2 => machine.write_object(0x3500 + random.below(0x1C0) as i32, number(random)),
@@ -76,7 +80,7 @@ fn nothing_overflows_and_positions_stay_within_their_modulus() {
         for _ in 0..2000 {
             match random.below(12) {
                 0 => {
-                    let word = CALLS[random.below(CALLS.len() as i64) as usize];
+                    let word = one_of(&mut random, &CALLS);
                     let keyword: Keyword = keywords::keyword(word).unwrap();
                     let arguments = [0; 4].map(|_| f64::from(number(&mut random)));
                     if let Ok(Some(command)) = motion_calls::command(keyword, arguments) {
@@ -84,8 +88,7 @@ fn nothing_overflows_and_positions_stay_within_their_modulus() {
                     }
                 }
                 1 => {
-                    let variables = SysVar::all();
-                    let (_, variable) = variables[random.below(variables.len() as i64) as usize];
+                    let (_, variable) = one_of(&mut random, SysVar::all());
                     if !variable.is_read_only() {
                         machine.set(variable, number(&mut random));
                     }

@@ -26,23 +26,27 @@ impl Compiler<'_> {
         let first = match arguments {
             [] => 0,
             [only] if !motion_calls::takes_table(keyword, 0) => self.number(only)?.register,
-            _ => self.number,
+            _ => self.call_arguments(keyword, arguments)?,
         };
-        if first == self.number {
-            for (at, argument) in arguments.iter().enumerate() {
-                let temporary = self.number_temporary(argument.span)?;
-                if motion_calls::takes_table(keyword, at) {
-                    let table = self.table(argument)?;
-                    self.emit(Op::new(Code::Move, table, 0, temporary));
-                } else {
-                    self.number_into(argument, temporary)?;
-                }
-                self.number = temporary + 1;
-            }
-        }
         self.emit(Op::new(Code::Motion, number, first, 0));
         self.charge();
         Ok(())
+    }
+
+    /// Puts the arguments into temporaries that follow each other and returns the first.
+    fn call_arguments(&mut self, keyword: Keyword, arguments: &[Expr]) -> Result<u16, Refusal> {
+        let first = self.number;
+        for (at, argument) in arguments.iter().enumerate() {
+            let temporary = self.number_temporary(argument.span)?;
+            if motion_calls::takes_table(keyword, at) {
+                let table = self.table(argument)?;
+                self.emit(Op::new(Code::Move, table, 0, temporary));
+            } else {
+                self.number_into(argument, temporary)?;
+            }
+            self.number = temporary + 1;
+        }
+        Ok(first)
     }
 
     /// The constant that stands for an array of integers named without subscripts.

@@ -305,11 +305,8 @@ impl Drive {
             (0..STEPS).for_each(|_| plant.step(0.0));
             return;
         }
-        let limit = match duty {
-            Duty::Push => self.objects.torque(Object::Refip),
-            Duty::Follow | Duty::Home => 1.0,
-        };
-        if duty != Duty::Follow {
+        let homing = duty != Duty::Follow;
+        if homing {
             self.edges = Edges::default();
             self.switches = Switches::of(plant);
         }
@@ -321,12 +318,15 @@ impl Drive {
         for step in 0..STEPS {
             let behind = start.wrapping_sub(self.feedback(units_per_revolution, plant)) as f64;
             let error = behind + reference.velocity as f64 * (f64::from(step) / f64::from(STEPS));
-            let asked = self
+            self.output = self
                 .servo
                 .update(error * revolutions, velocity, acceleration);
-            self.output = asked.clamp(-limit, limit);
+            if duty == Duty::Push {
+                let limit = self.objects.torque(Object::Refip);
+                self.output = self.output.clamp(-limit, limit);
+            }
             plant.step(self.output);
-            if duty != Duty::Follow {
+            if homing {
                 self.look_out(units_per_revolution, plant);
             }
         }
@@ -341,6 +341,7 @@ impl Drive {
     }
 
     /// Notes where switches change.
+    #[inline(never)]
     fn look_out(&mut self, units_per_revolution: i64, plant: &PlantAxis) {
         let (before, now) = (self.switches, Switches::of(plant));
         let here = self.feedback(units_per_revolution, plant);

@@ -198,7 +198,10 @@ impl Machine {
             if self.drive.is_stopping() {
                 self.planner.emergency_stop();
             }
-            let around = self.surroundings();
+            let around = match self.planner.is_homing() {
+                true => self.surroundings(),
+                false => Surroundings::default(),
+            };
             let shift = self.planner.sample(self.blocked(), &around);
             self.drive.shift(shift);
             self.feedback_before = self.feedback_before.wrapping_add(shift);
@@ -384,7 +387,7 @@ impl Machine {
 
     /// What goes out on the ServoBus after a sample, in its order.
     pub fn send(&mut self) -> Vec<Telegram> {
-        if !self.powered {
+        if !self.powered || self.bus.is_silent() {
             return Vec::new();
         }
         let position = self.get(SysVar::GvMaster);
@@ -405,8 +408,11 @@ impl Machine {
 
     /// What has tripped the drive, by the numbers and names of its own list.
     pub fn fault_words(&self) -> Option<String> {
+        if self.drive.error_code() == 0 {
+            return None;
+        }
         let words: Vec<String> = self.drive.faults().map(|fault| fault.to_string()).collect();
-        (!words.is_empty()).then(|| words.join(", "))
+        Some(words.join(", "))
     }
 
     /// What can be recorded now.

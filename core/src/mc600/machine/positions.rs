@@ -36,7 +36,7 @@ pub struct Comparators {
     pub(super) word: u8,
 }
 
-/// An input that captures a position, and what it has captured last.
+/// An input that captures a position, and what it has captured last (D209).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Capture {
     pub(super) edge: u8,
@@ -64,7 +64,8 @@ impl Capture {
     }
 }
 
-/// The drive's own captures of the actual position: of its inputs IN1 and IN2, at rising and falling edges.
+/// The drive's own captures of the actual position: of its inputs IN1 and IN2, at rising and falling edges
+/// (D210).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Latches {
     /// IN1 rising, IN1 falling, IN2 rising, IN2 falling.

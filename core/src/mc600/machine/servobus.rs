@@ -25,7 +25,7 @@ pub const MAILBOXES: u8 = 8;
 pub struct ServoBus {
     /// `msetsb(1)`.
     pub(super) master: bool,
-    /// `gv_canout%`.
+    /// `gv_canout%`: the master position (D212).
     pub(super) sent: i32,
     /// `gv_canin%`; `None` until something has come.
     pub(super) received: Option<i32>,
@@ -33,7 +33,7 @@ pub struct ServoBus {
     boxes: [u16; MAILBOXES as usize],
     /// `can_data%`.
     data: [i32; MAILBOXES as usize],
-    /// `can_flag%`.
+    /// `can_flag%`; the program takes its bits back (D213).
     pub(super) flags: u8,
     queue: VecDeque<Telegram>,
 }
@@ -76,6 +76,11 @@ impl ServoBus {
                 self.flags |= 1 << number;
             }
         }
+    }
+
+    /// Whether a sample sends nothing.
+    pub(super) fn is_silent(&self) -> bool {
+        !self.master && self.queue.is_empty()
     }
 
     /// What goes out after a sample: the master's position first.

@@ -190,7 +190,7 @@ impl Machine {
         self.drive.status(&self.conditions()) | warning | self.planner.status()
     }
 
-    /// `gv_trjstat%`: TRJSTAT.
+    /// `gv_trjstat%`: TRJSTAT (D217).
     fn trajectory_status(&self) -> u32 {
         let homing = self.planner.is_homing();
         let moving = self.planner.reference().velocity != 0;

@@ -118,7 +118,7 @@ impl Cam {
         let to = master.position;
         let passed_zero = turn > 0 && to.div_euclid(turn) != self.master.div_euclid(turn);
         let ends = passed_zero && self.ending;
-        // A cam that ends does so exactly at the end of the modulus, which is point 0.
+        // A cam that ends does so exactly at the end of the modulus, which is point 0 (D215).
         let to = if ends { 0 } else { to };
         let (output, index) = self.demand(to, master.modulus, modulus);
         let pace = modulus.nearest(output.wrapping_sub(self.output));

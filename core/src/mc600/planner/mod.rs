@@ -103,7 +103,7 @@ pub struct Planner {
     pub cam: Cam,
     /// Encoder, virtual axis and virtual speed.
     pub master: Master,
-    /// Of `mphase`: added to what the generator gives.
+    /// Of `mphase`: added to what the generator gives, whichever that is (D214).
     pub phase: Offset,
     /// `gv_smod%`.
     modulus: Modulus,
@@ -325,7 +325,7 @@ impl Planner {
         });
     }
 
-    /// `mgear`. Until the edge that it waits for, what is active goes on.
+    /// `mgear`. Until the edge that it waits for, what is active goes on (D192).
     pub fn follow_master(&mut self, kind: GearType) {
         if self.gear.request(kind) {
             self.engage_gear(0, 0);
@@ -356,7 +356,7 @@ impl Planner {
         self.cam.engage(table, hard, &master, self.modulus);
     }
 
-    /// `mhome(1)`, which only an idle planner takes. What the phase has added becomes part of the position.
+    /// `mhome(1)`, which only an idle planner takes. What the phase has added becomes part of the position (D200).
     pub fn start_homing(&mut self, homing: Homing, around: &Surroundings) {
         if self.generator == Generator::Idle && !self.phase.is_active() {
             self.homed = false;

@@ -142,7 +142,7 @@ impl Offset {
         }
     }
 
-    /// Starts a move to a position in counts, over the 32-bit difference.
+    /// Starts a move to a position in counts, over the 32-bit difference (D218).
     pub fn move_to(&mut self, position: i32) {
         let here = counts(self.position);
         let distance = i64::from(wrap32(i64::from(position).wrapping_sub(here)));

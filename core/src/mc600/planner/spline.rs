@@ -10,7 +10,7 @@ pub const LEAST_LAST: i32 = 7;
 
 /// The table through `pairs` of master and follower, or `None` if the master's positions decrease, do not begin with
 /// (0, 0) or do not go anywhere. Entry i stands at i/360 of the last master position; a pair with the master position of
-/// the one before it is passed over.
+/// the one before it is passed over (D216).
 pub fn spline(pairs: &[(i32, i32)]) -> Option<Vec<i32>> {
     if pairs.first() != Some(&(0, 0)) {
         return None;
