@@ -62,6 +62,36 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+siteTest("what Help says of a SmartMotor works", async (page) => {
+  await printedEnd(page, ">");
+  await choose(page, "Animatics SmartMotor");
+  await page.getByRole("button", { name: "Help" }).click();
+  const help = page.getByRole("dialog", { name: "Help" });
+  const steps = await help.locator(".steps-help li").evaluateAll((rows) =>
+    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
+  );
+  await page.keyboard.press("Escape");
+  const status = page.locator(".status");
+  for (const { press, type } of steps) {
+    if (press) {
+      const button = page.getByRole("switch", { name: press });
+      await button.click();
+      await status.getByText("off", { exact: true }).waitFor();
+      await button.click();
+      await status.getByText("idle", { exact: true }).waitFor();
+      continue;
+    }
+    await page.getByRole("textbox", { name: "Terminal" }).focus();
+    await page.keyboard.type(`${type}\n`);
+    await page.waitForTimeout(100);
+    await status.getByText("idle", { exact: true }).waitFor();
+    await page.getByText("axis moves", { exact: true }).waitFor({ state: "detached" });
+  }
+  await printedEnd(page, `${steps.at(-1).type}\n7`);
+  await page.keyboard.type("RBs\n");
+  await printedEnd(page, "RBs\n0");
+});
+
 siteTest("the master's encoder is turned, and the cam is drawn with its place", async (page, { shot }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await printedEnd(page, ">");

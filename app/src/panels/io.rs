@@ -34,7 +34,6 @@ pub(super) fn Io(store: Store) -> impl IntoView {
                 </div>
                 {has_knobs.then(|| view! { <Knobs store /> })}
                 <Lamps store />
-                {untrack(|| store.kind().has_cam).then(|| view! { <super::cam::Cam store /> })}
             </div>
         }
     }
