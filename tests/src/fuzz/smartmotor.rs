@@ -6,7 +6,7 @@ use motionbench_core::controller::{Controller, Debug, DebugReply, Input, Slot, S
 use motionbench_core::language::{latin1, split_lines};
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::program_text;
-use motionbench_core::serial::{LineSettings, Parity};
+use motionbench_core::serial::{Flow, LineSettings, Parity};
 use motionbench_core::smartmotor::store::strip;
 use motionbench_core::time::Nanos;
 
@@ -85,6 +85,14 @@ pub fn smartmotor_serial(data: &[u8]) {
     chain.recover();
 }
 
+/// The host's side of the line: a motor knows no flow control, and what it sends may well be an XOFF.
+fn at(baud: u32) -> LineSettings {
+    LineSettings {
+        flow: Flow::None,
+        ..LineSettings::new(baud)
+    }
+}
+
 /// Motors on one line, switched on.
 struct Chain {
     bench: Bench,
@@ -143,11 +151,11 @@ impl Chain {
             Some(b'o') => self.bench.power(1, false),
             Some(b'b') => self.bench.send_break(0),
             Some(b'r') => self.run(50),
-            Some(b's') => self.bench.set_line(0, LineSettings::new(19_200)),
+            Some(b's') => self.bench.set_line(0, at(19_200)),
             Some(b'e') => {
                 let settings = LineSettings {
                     parity: Parity::Even,
-                    ..LineSettings::new(9600)
+                    ..at(9600)
                 };
                 self.bench.set_line(0, settings);
             }
@@ -198,7 +206,7 @@ impl Chain {
             self.motor(index).debug(Debug::Breakpoints(Vec::new()));
             self.bench.power(index, false);
         }
-        self.bench.set_line(0, LineSettings::new(9600));
+        self.bench.set_line(0, at(9600));
         self.run(50);
         for index in 0..motors {
             self.bench.power(index, true);
