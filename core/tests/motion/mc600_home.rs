@@ -162,3 +162,31 @@ fn a_switch_that_is_nowhere_ends_in_failure() {
     assert_eq!(machine.get(SysVar::HmFlag), 0);
     assert!(machine.is_enabled() && !machine.is_moving());
 }
+
+#[test]
+fn homing_in_fine_counts_and_within_a_modulus() {
+    for (resolution, modulus, reading) in [(1, 0, 32_768), (0, 1000, 48), (1, 10_000, 2768)] {
+        let mut machine = enabled();
+        machine.set(SysVar::Mres, resolution);
+        machine.set(SysVar::GvSmod, modulus);
+        machine.configure("x", "home", "2.3rev").unwrap();
+        machine.write_object(ROFFS, 5000);
+        let shaft = home(&mut machine, 1, 1);
+        assert!(is_done(&machine) && (shaft - 3.0).abs() < 0.001, "{shaft}");
+        assert_eq!(machine.get(SysVar::SlPosDemand), reading);
+        let feedback = machine.get(SysVar::GvFeedback);
+        assert!((feedback - reading).abs() <= 1, "{feedback}");
+    }
+}
+
+#[test]
+fn a_phase_becomes_part_of_the_position() {
+    let mut machine = enabled();
+    call(&mut machine, "MPHASE", &[1500]);
+    until(&mut machine, |m| !m.is_moving());
+    let before = machine.signals().shaft;
+    let shaft = home(&mut machine, 0, 1);
+    assert!((shaft - before).abs() < 0.001);
+    assert_eq!(machine.get(SysVar::PhPosition), 0);
+    assert_eq!(machine.get(SysVar::GvFeedback), 0);
+}
