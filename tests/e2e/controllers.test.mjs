@@ -62,6 +62,21 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+siteTest("on a phone the controller is chosen with the project", async (page, { shot }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await printedEnd(page, ">");
+  await page.getByRole("button", { name: "My project" }).click();
+  const dialog = page.getByRole("dialog", { name: "Project" });
+  await dialog.getByRole("combobox", { name: "Controller" }).selectOption("smartmotor");
+  await accessible(page);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await eventually("the motor says where it is", async () => /OUT 2000\d/.test(await printed(page)) || printed(page));
+  await page.getByRole("navigation").getByRole("button", { name: "Scope" }).click();
+  await accessible(page);
+  await shot("smartmotor-phone");
+});
+
 siteTest("what Help says of a SmartMotor works", async (page) => {
   await printedEnd(page, ">");
   await choose(page, "Animatics SmartMotor");
