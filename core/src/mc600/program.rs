@@ -125,6 +125,23 @@ impl Program {
         };
     }
 
+    /// Adds the lines of another program; of two with the same number the other's stays (MERGE).
+    ///
+    /// # Errors
+    /// OUT OF MEMORY if both together do not fit; nothing has changed then.
+    pub fn merge(&mut self, other: &Program) -> Result<(), ErrorCode> {
+        let mut merged = self.clone();
+        for (number, text) in other.lines() {
+            merged.enter(number, text);
+        }
+        if merged.bytes() > MEMORY {
+            return Err(ErrorCode::OutOfMemory);
+        }
+        merged.revision = self.revision + 1;
+        *self = merged;
+        Ok(())
+    }
+
     /// Numbers the lines anew from `start` in steps of `increment`, and every jump with them: behind GOTO, GOSUB,
     /// THEN, ELSE and RUN, in the lists of ON, and the line of INTSETUP. Jumps to lines that do not exist stay.
     ///

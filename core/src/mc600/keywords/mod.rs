@@ -1,13 +1,10 @@
 //! Every word of MotionBasic: what it is called, what it does, and whether it works here.
 //!
-//! One table feeds lexer, highlighting, completion, help and the support table. What is not in this firmware yet is in
-//! the table as absent, and says `?NOT IMPLEMENTED ERROR`.
+//! One table feeds lexer, highlighting, completion, help and the support table. What the device itself does not implement
+//! is in the table as absent, and says `?NOT IMPLEMENTED ERROR`.
 
 use super::sysvars::SysVar;
 use crate::language::{KeywordRow, ManualRef, Support};
-
-/// Will work in a later version.
-const LATER: Support = Support::Absent("It is not simulated yet.");
 
 /// The manual has it with the remark "not implemented yet".
 const ABSENT: Support = Support::Absent("The device itself does not implement it.");

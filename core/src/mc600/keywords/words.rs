@@ -1,6 +1,6 @@
 //! The table itself, in alphabetical order, marks first. System variables are in `system.rs`.
 
-use super::{ABSENT, LATER};
+use super::ABSENT;
 use crate::language::Support::Full;
 
 words! {
@@ -46,7 +46,7 @@ words! {
         "CHR$(code)" "The character with that code, 0 to 255." "10 PRINT CHR$(65)";
     Cont "CONT" "command" KEYWORDS Full
         "CONT" "Goes on after STOP, END or Ctrl-C." "CONT";
-    Copy "COPY" "command" FILESYSTEM LATER
+    Copy "COPY" "command" FILESYSTEM Full
         "COPY \"from\",\"to\"" "Copies a file, from one disk to the other as well." "COPY \"A:X.BAS\",\"B:X.BAS\"";
     Cos "COS" "function" KEYWORDS Full
         "COS(angle)" "Cosine of an angle in radians." "10 PRINT COS(0)";
@@ -60,7 +60,7 @@ words! {
         "IF condition THEN ... ELSE ..." "What an IF does when its condition is false." "10 IF A=1 THEN 100 ELSE 200";
     End "END" "statement" KEYWORDS Full
         "END" "Ends the program; CONT goes on behind it." "999 END";
-    Erase "ERASE" "command" KEYWORDS LATER
+    Erase "ERASE" "command" KEYWORDS Full
         "ERASE \"mask\"" "Erases the files that match the mask." "ERASE \"A:FIL*.BAS\"";
     Exp "EXP" "function" KEYWORDS Full
         "EXP(number)" "e to the power of the number." "10 PRINT EXP(1)";
@@ -70,7 +70,7 @@ words! {
         "FILES [\"mask\"]" "Lists the files that match the mask, or all." "FILES \"B:FIL*.BAS\"";
     For "FOR" "statement" KEYWORDS Full
         "FOR variable = start TO limit [STEP increment]" "Repeats what stands before its NEXT while the variable counts, at least once." "100 FOR L=100 TO 0 STEP -1";
-    Format "FORMAT" "command" FILESYSTEM LATER
+    Format "FORMAT" "command" FILESYSTEM Full
         "FORMAT \"B:\"" "Empties a disk." "FORMAT \"B:\"";
     Get "GET" "not-implemented" KEYWORDS ABSENT
         "GET variable,..." "Would read a key without waiting." "10 GET A$";
@@ -126,7 +126,7 @@ words! {
         "MDRVDIS()" "Disables the drive." "10 MDRVDIS()";
     Mdrven "MDRVEN" "drive" DRIVE Full
         "MDRVEN()" "Enables the drive." "10 MDRVEN()";
-    Merge "MERGE" "command" KEYWORDS LATER
+    Merge "MERGE" "command" KEYWORDS Full
         "MERGE \"name\"" "Adds a file's lines to the program; equal numbers are replaced." "MERGE \"B:TEST2.BAS\"";
     Mgear "MGEAR" "motion" MOTION Full
         "MGEAR(type)" "Follows the master at a ratio; types 1 to 8 say when and how it engages." "10 MGEAR(1)";
@@ -180,7 +180,7 @@ words! {
         "OUTSTA()" "The card's eight digital outputs, output 0 in bit 0." "10 PRINT OUTSTA()";
     Outw "OUTW" "io" IO Full
         "OUTW(value)" "Sets the card's eight digital outputs, output 0 from bit 0." "10 OUTW(255)";
-    Password "PASSWORD" "command" KEYWORDS LATER
+    Password "PASSWORD" "command" KEYWORDS Full
         "PASSWORD" "Changes the password of the console." "PASSWORD";
     Print "PRINT" "statement" KEYWORDS Full
         "PRINT [value][,|;]..." "Prints values: `,` goes to the next zone of ten columns, `;` or nothing stays, at the end also on the line." "20 PRINT X;\"SQUARED IS\";X*X";
