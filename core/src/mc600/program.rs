@@ -446,6 +446,25 @@ mod tests {
     }
 
     #[test]
+    fn merged_programs_fit_or_stay_apart() {
+        let mut first = program("10 PRINT 1\n20 PRINT 2");
+        first.merge(&program("20 GOTO 10\n30 END")).unwrap();
+        assert_eq!(text(&first), "10 PRINT 1\n20 GOTO 10\n30 END\n");
+        assert_eq!(first.bytes(), counted(&first));
+        let large = |start: usize| {
+            let lines = (0..8_000).map(|line| format!("{} REM {}\n", start + line, "X".repeat(60)));
+            program(&lines.collect::<String>())
+        };
+        let (mut low, high) = (large(0), large(8_000));
+        let before = (low.bytes(), low.revision());
+        assert_eq!(low.merge(&high), Err(ErrorCode::OutOfMemory));
+        assert_eq!((low.bytes(), low.revision()), before);
+        // The same lines again take no more room.
+        assert_eq!(low.merge(&large(0)), Ok(()));
+        assert_eq!((low.bytes(), low.revision()), (before.0, before.1 + 1));
+    }
+
+    #[test]
     fn every_byte_survives_a_file() {
         let bytes: Vec<u8> = (0x20..=0xff).filter(|&byte| byte != 0x7f).collect();
         let line = [b"10 REM ".as_slice(), &bytes].concat();
