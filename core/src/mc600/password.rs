@@ -1,6 +1,6 @@
 //! The console's password: asked for at power-up, changed by PASSWORD ("Installation", PASSWORD).
 
-use super::console::Echo;
+use super::console::{DELETE, Echo};
 use super::firmware::{ErrorCode, LINE_LENGTH};
 use super::{Mc600, Mode};
 
@@ -30,7 +30,8 @@ impl Question {
 
 /// Whether these bytes can be typed as a password.
 pub fn is_password(typed: &[u8]) -> bool {
-    (1..=LINE_LENGTH).contains(&typed.len()) && typed.iter().all(|&byte| byte >= b' ')
+    let is_typed = |byte: &u8| *byte >= b' ' && *byte != DELETE;
+    (1..=LINE_LENGTH).contains(&typed.len()) && typed.iter().all(is_typed)
 }
 
 impl Mc600 {
