@@ -322,7 +322,8 @@ impl Card {
                 let index = usize::from(fault - b'A');
                 let kind = faults[index % faults.len()].to_owned();
                 let active = index < faults.len();
-                let axis = None;
+                // A fault of the drive by its number.
+                let axis = (kind == "internal").then(|| "13".to_owned());
                 self.input(Input::Fault { kind, axis, active });
             }
             _ => self.send(&[ESCAPE]),
