@@ -141,6 +141,21 @@ pub enum StatementKind {
     Save(Option<Expr>),
     /// `LOAD "name"`
     Load(Expr),
+    /// `MERGE "name"`
+    Merge(Expr),
+    /// `COPY "from","to"`
+    Copy {
+        /// The file that there is.
+        from: Expr,
+        /// The name of the new one, or a disk alone.
+        to: Expr,
+    },
+    /// `ERASE "mask"`
+    Erase(Expr),
+    /// `FORMAT "disk:"`
+    Format(Expr),
+    /// `PASSWORD`
+    Password,
     /// `RETI`
     Reti,
     /// A motion, drive, interrupt or I/O call: `MMOVE(40960)`, `MCAM(T%)`. The arguments are counted by the parser.
@@ -150,7 +165,7 @@ pub enum StatementKind {
         /// Numeric expressions, and the names of tables.
         arguments: Vec<Expr>,
     },
-    /// A word of the table that this firmware does not do (yet).
+    /// A word of the table that this firmware does not do .
     NotImplemented(Keyword),
 }
 

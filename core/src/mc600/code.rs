@@ -266,10 +266,20 @@ pub enum SystemCall {
     Save,
     /// Loads `sb`.
     Load,
+    /// Adds the lines of `sb` to the program.
+    Merge,
+    /// Copies `sb` to `sc`.
+    Copy,
+    /// Erases the files that match `sb`.
+    Erase,
+    /// Empties disk `sb`.
+    Format,
+    /// Asks for the old password and a new one.
+    Password,
 }
 
 impl SystemCall {
-    const ALL: [SystemCall; 14] = [
+    const ALL: [SystemCall; 19] = [
         SystemCall::New,
         SystemCall::List,
         SystemCall::Run,
@@ -284,6 +294,11 @@ impl SystemCall {
         SystemCall::Files,
         SystemCall::Save,
         SystemCall::Load,
+        SystemCall::Merge,
+        SystemCall::Copy,
+        SystemCall::Erase,
+        SystemCall::Format,
+        SystemCall::Password,
     ];
 
     /// The call that `call as u16` came from.

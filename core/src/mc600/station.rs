@@ -8,7 +8,7 @@ use super::machine::{FAULTS, Machine, TELEGRAM_TIME};
 use super::program::{Program, STORED_LENGTH};
 use super::sysvars::SysVar;
 use super::value::Text;
-use super::{FACTORY_PASSWORD, Mc600, Mode};
+use super::{Mc600, Mode, password};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Output,
     Ports, Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
@@ -277,11 +277,8 @@ impl Controller for Mc600 {
             .kept()
             .map(|(name, bytes)| item(format!("B:{name}"), bytes))
             .collect();
-        if self.password != FACTORY_PASSWORD {
-            items.push(item(
-                PASSWORD_ITEM.to_owned(),
-                &latin1::bytes(&self.password),
-            ));
+        if self.password != password::FACTORY {
+            items.push(item(PASSWORD_ITEM.to_owned(), &self.password));
         }
         if event == Survives::Reload {
             let lost = self.disks.lost();
@@ -343,8 +340,11 @@ impl Mc600 {
     fn restore_item(&mut self, item: &MemoryItem) -> bool {
         match item.name.as_str() {
             PASSWORD_ITEM => {
-                self.password = latin1::text(&item.bytes);
-                true
+                let is_password = password::is_password(&item.bytes);
+                if is_password {
+                    self.password.clone_from(&item.bytes);
+                }
+                is_password
             }
             PROGRAM_ITEM => match Program::from_text(&item.bytes, STORED_LENGTH) {
                 Ok(program) => {

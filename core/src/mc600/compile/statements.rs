@@ -138,6 +138,14 @@ impl Compiler<'_> {
             StatementKind::Files(mask) => self.file_call(SystemCall::Files, mask.as_ref())?,
             StatementKind::Save(name) => self.file_call(SystemCall::Save, name.as_ref())?,
             StatementKind::Load(name) => self.file_call(SystemCall::Load, Some(name))?,
+            StatementKind::Merge(name) => self.file_call(SystemCall::Merge, Some(name))?,
+            StatementKind::Copy { from, to } => {
+                let [from, to] = [self.text(from)?, self.text(to)?];
+                self.system(SystemCall::Copy, from, to);
+            }
+            StatementKind::Erase(mask) => self.file_call(SystemCall::Erase, Some(mask))?,
+            StatementKind::Format(disk) => self.file_call(SystemCall::Format, Some(disk))?,
+            StatementKind::Password => self.system(SystemCall::Password, 0, 0),
             _ => {}
         }
         Ok(())

@@ -55,10 +55,11 @@ impl Vm {
                     value = floor_in_range(value)?;
                 }
                 self.set_register(innermost, value);
-                let done = if step >= 0.0 {
+                // A step of zero loops forever (STEP).
+                let done = if step > 0.0 {
                     value > limit
                 } else {
-                    value < limit
+                    step < 0.0 && value < limit
                 };
                 if !done {
                     return Ok(body);

@@ -27,6 +27,12 @@ fn statements() {
             "ELSE without an IF before it on the line.",
         ),
         ("IF A PRINT 1", "THEN or GOTO should stand here."),
+        (
+            "COPY \"A\"",
+            "A comma and the name of the copy should stand here.",
+        ),
+        ("ERASE", "The files or the disk should stand here."),
+        ("FORMAT", "The files or the disk should stand here."),
         ("IF THEN 10", "A value should stand here."),
         ("GOTO X", "A line number should stand here."),
         ("GOTO 64000", "A line number is a whole number up to 63999."),
