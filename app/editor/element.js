@@ -8,6 +8,7 @@
 //   label                       the name of the text field, for a screen reader
 //   classes                     names of the classes that highlight() gives by their index
 //   words                       rows of the language's table of words
+//   capitals                    what a keyboard on the screen does with letters: "characters" or "none"
 //   highlight(line)             [from, to, class, ...] for the text of a line
 //   problems()                  what is wrong with the text, asked for when it has not changed for a moment
 //   edited(text, edits)         the user changed the text; edits as describe() gives them
@@ -173,7 +174,7 @@ class ProgramEditor extends HTMLElement {
         EditorState.allowMultipleSelections.of(true),
         this.#readOnly.of(this.#locked),
         tooltips({ position: "fixed" }),
-        EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: "characters", tabindex: "0" }),
+        EditorView.contentAttributes.of({ "aria-label": this.label, autocapitalize: this.capitals, tabindex: "0" }),
         EditorView.domEventHandlers({ beforeinput: replaceBySelf }),
         EditorView.updateListener.of((update) => this.#tell(update)),
         EditorState.phrases.of(phrases),

@@ -4,7 +4,7 @@
 //! over rather than copied. Console bytes are text in the devices' eight-bit characters.
 
 use motionbench_core::catalog::TerminalSettings;
-use motionbench_core::controller::{Memory, Revision, Signal, Status};
+use motionbench_core::controller::{CamTable, Memory, Revision, Signal, Status};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use motionbench_core::trace::Trace;
@@ -71,6 +71,15 @@ pub enum ToWorker {
     Keep,
     /// What an earlier [`FromWorker::Kept`] said is put back.
     Restore(Memory),
+    /// A text becomes a file of the controller. Answered by [`FromWorker::Filed`].
+    PutFile {
+        /// By the controller's own name: `B:CUT.BAS`.
+        name: String,
+        /// Its contents.
+        text: String,
+    },
+    /// The cam table is wanted. Answered by [`FromWorker::Cam`].
+    Cam,
     /// The mains switch.
     Power(bool),
     /// How fast simulated time shall pass.
@@ -117,6 +126,10 @@ pub enum FromWorker {
     },
     /// All that the controller holds.
     Kept(Memory),
+    /// The cam table that is in use, if there is one.
+    Cam(Option<CamTable>),
+    /// The name of a file that the controller has taken, or why it has not.
+    Filed(Result<String, String>),
 }
 
 /// Why a text did not become the controller's program.

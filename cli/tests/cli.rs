@@ -356,3 +356,25 @@ fn bad_arguments_exit_with_2() {
         assert!(text(&output.stdout).contains("Example"), "{arguments:?}");
     }
 }
+
+#[test]
+fn a_smartmotor_is_downloaded_and_run() {
+    let folder = folder("smartmotor");
+    let program = file(
+        &folder,
+        "move.sms",
+        "A=100 V=300000 'gently\nP=4000 G TWAIT\nPRINT(\"there\",#13)\nEND\n",
+    );
+    gives(&["check", "smartmotor", &program], 0, "", "");
+    gives(&["run", "smartmotor", &program], 0, "there\r", "");
+    let asked = motionbench(&["run", "smartmotor"], "a=6*7\nRa\n");
+    assert_eq!(text(&asked.stdout), "42\r");
+    let bad = file(&folder, "bad.sms", "WHILE 1\nEND\n");
+    let output = motionbench(&["check", "smartmotor", &bad], "");
+    let expected = format!("{bad}:1:1: error: missing LOOP: No LOOP ends this WHILE.\n");
+    assert_eq!(text(&output.stdout), expected);
+    // What the vendor's compiler refuses does not reach the motor.
+    let output = motionbench(&["run", "smartmotor", &bad], "");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("missing LOOP"));
+}

@@ -249,9 +249,11 @@ impl Bench {
         }
     }
 
-    /// Whether nothing is on its way and no host has anything left to send (what XOFF holds back counts).
+    /// Whether no byte is on its way and no host has anything left to send (what XOFF holds back counts). On a bus between
+    /// stations there may always be something.
     pub fn is_quiet(&self) -> bool {
-        self.events.is_empty()
+        let is_telegram = |event: &Event| matches!(event.what, Passing::Telegram(_));
+        self.events.iter().all(|Reverse(event)| is_telegram(event))
             && self
                 .lines
                 .iter()

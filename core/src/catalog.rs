@@ -74,8 +74,21 @@ pub struct Kind {
     pub enable_input: Option<usize>,
     /// The lamps at its outputs.
     pub lamps: Lamps,
+    /// It has cam tables that [`crate::controller::Debug::Cam`] tells.
+    pub has_cam: bool,
+    /// Where it keeps files.
+    pub disks: &'static [DiskInfo],
     /// How a terminal at its console is best set.
     pub terminal: TerminalSettings,
+}
+
+/// A disk, for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DiskInfo {
+    /// What stands before the names of its files: `B:`.
+    pub prefix: &'static str,
+    /// What it is, and what becomes of it without power.
+    pub words: &'static str,
 }
 
 /// What a controller makes of the text of a program that it is given.
@@ -126,6 +139,8 @@ pub enum Handle {
     Knob(Range),
     /// A switch between the ends of a range, and any value between them.
     Pin(Range),
+    /// Pushed by one of these at a time; it has no value that stays.
+    Jog(&'static [f64]),
 }
 
 /// What a knob can be turned to.
@@ -183,6 +198,8 @@ pub const KINDS: &[Kind] = &[
         inputs: mc600::wiring::INPUTS,
         enable_input: Some(mc600::wiring::ENABLE),
         lamps: mc600::wiring::LAMPS,
+        has_cam: true,
+        disks: mc600::disks::DISKS,
         terminal: TerminalSettings {
             local_echo: false,
             line_feeds: false,
@@ -210,6 +227,8 @@ pub const KINDS: &[Kind] = &[
         inputs: smartmotor::wiring::INPUTS,
         enable_input: None,
         lamps: smartmotor::wiring::LAMPS,
+        has_cam: false,
+        disks: &[],
         // It does not echo, and ends its answers with a bare CR.
         terminal: TerminalSettings {
             local_echo: true,
@@ -238,6 +257,8 @@ pub const KINDS: &[Kind] = &[
         inputs: unidex3::wiring::INPUTS,
         enable_input: None,
         lamps: unidex3::wiring::LAMPS,
+        has_cam: false,
+        disks: &[],
         // It does not echo.
         terminal: TerminalSettings {
             local_echo: true,

@@ -54,7 +54,7 @@ pub struct ControllerInfo {
     pub axes: Vec<&'static str>,
     /// The console's line as it is at the factory.
     pub line: LineSettings,
-    /// What the console prints when it is ready for a command.
+    /// What the console prints when it is ready for a command; empty where it prints nothing.
     pub prompt: &'static str,
     /// What stops a running program from the console.
     pub attention: &'static [u8],
@@ -246,7 +246,7 @@ pub struct Status {
     pub enabled: bool,
     /// What has tripped the drive, in its own words; `None` while nothing has.
     pub fault: Option<String>,
-    /// The console stands at its prompt and nothing is typed.
+    /// The console stands at its prompt, or takes commands without one, and nothing is typed.
     pub at_prompt: bool,
     /// The last error that the program ended with, in the device's words; cleared by the next start.
     pub error: Option<String>,
@@ -307,6 +307,8 @@ pub enum Debug {
     Read(String),
     /// Sets a variable.
     Write(String, Value),
+    /// The cam table that is in use.
+    Cam,
 }
 
 /// What a debugger is told.
@@ -316,8 +318,21 @@ pub enum DebugReply {
     Done,
     /// A value was asked for.
     Value(Value),
+    /// The cam table was asked for.
+    Cam(CamTable),
     /// It cannot be done; one clear line.
     Refused(String),
+}
+
+/// A cam table, for a drawing.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct CamTable {
+    /// Its points, in counts of the axis; they stand at equal distances of the master.
+    pub points: Vec<i32>,
+    /// Where the master stands, in points from the first.
+    pub at: f64,
+    /// Where the axis is to be there, in counts.
+    pub demand: f64,
 }
 
 /// A value of some controller's language.

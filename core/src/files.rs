@@ -51,6 +51,13 @@ impl Disk {
         self.files.get(&name.to_ascii_uppercase()).cloned()
     }
 
+    /// Removes a file; whether there was one.
+    pub fn remove(&mut self, name: &str) -> bool {
+        let removed = self.files.remove(&name.to_ascii_uppercase());
+        self.used -= removed.as_ref().map_or(0, |bytes| bytes.len());
+        removed.is_some()
+    }
+
     /// Removes every file.
     pub fn clear(&mut self) {
         self.files.clear();
@@ -147,6 +154,10 @@ mod tests {
         assert_eq!(disk.write("b", b"123"), Err(DiskFull));
         disk.write("A.BAS", b"1234567890").unwrap();
         assert_eq!(disk.free(), 0);
+        assert!(disk.remove("a.bas"));
+        assert!(!disk.remove("a.bas"));
+        assert_eq!(disk.free(), 10);
+        disk.write("C", b"1234").unwrap();
         disk.clear();
         assert_eq!(disk.free(), 10);
     }

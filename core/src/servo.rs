@@ -42,6 +42,13 @@ impl Servo {
         }
     }
 
+    /// Changes the gains; what it remembers of the past stays.
+    pub fn tune(&mut self, gains: Gains, period: f64) {
+        self.gains = gains;
+        self.integral_step = gains.integral * period;
+        self.derivative_step = gains.derivative / period;
+    }
+
     /// Forgets the past: the next update is the first.
     pub fn reset(&mut self) {
         self.integral = 0.0;

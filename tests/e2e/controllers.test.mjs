@@ -62,6 +62,89 @@ for (const colorScheme of ["light", "dark"]) {
   });
 }
 
+siteTest("on a phone the controller is chosen with the project", async (page, { shot }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await printedEnd(page, ">");
+  await page.getByRole("button", { name: "My project" }).click();
+  const dialog = page.getByRole("dialog", { name: "Project" });
+  await dialog.getByRole("combobox", { name: "Controller" }).selectOption("smartmotor");
+  await accessible(page);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await eventually("the motor says where it is", async () => /OUT 2000\d/.test(await printed(page)) || printed(page));
+  await page.getByRole("navigation").getByRole("button", { name: "Scope" }).click();
+  await accessible(page);
+  await shot("smartmotor-phone");
+});
+
+siteTest("what Help says of a SmartMotor works", async (page) => {
+  await printedEnd(page, ">");
+  await choose(page, "Animatics SmartMotor");
+  await page.getByRole("button", { name: "Help" }).click();
+  const help = page.getByRole("dialog", { name: "Help" });
+  const steps = await help.locator(".steps-help li").evaluateAll((rows) =>
+    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
+  );
+  await page.keyboard.press("Escape");
+  const status = page.locator(".status");
+  for (const { press, type } of steps) {
+    if (press) {
+      const button = page.getByRole("switch", { name: press });
+      await button.click();
+      await status.getByText("off", { exact: true }).waitFor();
+      await button.click();
+      await status.getByText("idle", { exact: true }).waitFor();
+      continue;
+    }
+    await page.getByRole("textbox", { name: "Terminal" }).focus();
+    await page.keyboard.type(`${type}\n`);
+    await page.waitForTimeout(100);
+    await status.getByText("idle", { exact: true }).waitFor();
+    await page.getByText("axis moves", { exact: true }).waitFor({ state: "detached" });
+  }
+  await printedEnd(page, `${steps.at(-1).type}\n7`);
+  await page.keyboard.type("RBs\n");
+  await printedEnd(page, "RBs\n0");
+});
+
+siteTest("the master's encoder is turned, and the cam is drawn with its place", async (page, { shot }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await printedEnd(page, ">");
+  const program = [
+    "10 DIM T%(359) : FOR N=0 TO 359 : T%(N)=4096*SIN(N*3.14159/180) : NEXT",
+    "20 GV_MMOD%=4096 : MDRVEN() : MCAMHARD(T%)",
+    "RUN",
+  ];
+  await page.keyboard.type(`${program.join("\n")}\n`);
+  await eventually("the program has ended", async () => /RUN\n>$/.test(await printed(page)) || printed(page));
+  await page.getByRole("button", { name: "Knobs" }).click();
+  await page.getByRole("slider", { name: "Master encoder" }).fill("120");
+  await accessible(page);
+  await shot("knobs");
+  await page.keyboard.press("Escape");
+  await page.getByText("axis moves", { exact: true }).waitFor();
+  await page.getByRole("button", { name: "Cam", exact: true }).click();
+  const curve = page.getByRole("img", { name: /360 points/ });
+  await curve.waitFor();
+  const place = () => page.locator(".cam .place").getAttribute("cx");
+  const before = await place();
+  await eventually("the place moves on", async () => (await place()) !== before || before);
+  await accessible(page);
+  await page.waitForTimeout(1000);
+  await shot("cam");
+});
+
+siteTest("a program is sent to the controller without being started", async (page) => {
+  await printedEnd(page, ">");
+  await page.getByText("not in the controller").waitFor();
+  await page.locator(".editor").getByRole("button", { name: "More" }).click();
+  await page.getByRole("button", { name: "Send to the controller" }).click();
+  await page.getByText("same as in the controller").waitFor();
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.type("LIST 130\n");
+  await printedEnd(page, ">LIST 130\n130 RETURN\n>");
+});
+
 siteTest("the work with each controller is kept", async (page) => {
   await printedEnd(page, ">");
   await page.keyboard.type("10 PRINT 6*7\nSAVE \"B:SEVEN\"\n");

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { siteTest } from "./harness.mjs";
-import { eventually, paste, printed, printedEnd } from "./steps.mjs";
+import { accessible, eventually, paste, printed, printedEnd } from "./steps.mjs";
 
 /** Sets the terminal's end of the line. */
 async function setLine(page, settings) {
@@ -109,4 +109,35 @@ siteTest("a break goes over the line; all is copied, and cleared", async (page, 
   });
   await page.keyboard.type("?2\n");
   await printedEnd(page, ">?2\n 2\n>");
+});
+
+siteTest("files go to the controller's disks and come from there", async (page, { shot }) => {
+  await printedEnd(page, ">");
+  await page.getByRole("button", { name: "Disks" }).click();
+  const dialog = page.getByRole("dialog", { name: "Disks of the controller" });
+  const file = (name, text) => ({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  await dialog.getByLabel("Files for B:").setInputFiles([file("feed.bas", "10 PRINT 6*7\r\n")]);
+  await dialog.getByText("B:FEED.BAS is on the disk.").waitFor();
+  await dialog.getByRole("region", { name: "Disk B:" }).getByText("FEED.BAS", { exact: true }).waitFor();
+  await dialog.getByLabel("Files for A:").setInputFiles([file("much too long a name.bas", "10 END")]);
+  await dialog.getByText(/is no file name of this device/).waitFor();
+  await accessible(page);
+  await shot("disks");
+  const download = page.waitForEvent("download");
+  await dialog.getByRole("button", { name: "Save B:FEED.BAS as a file" }).click();
+  const saved = await download;
+  assert.equal(saved.suggestedFilename(), "FEED.BAS");
+  assert.equal(readFileSync(await saved.path(), "latin1"), "10 PRINT 6*7\r\n");
+  // Dropped on the disk.
+  const data = await page.evaluateHandle(() => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File(["10 PRINT 7*7"], "drop.bas"));
+    return transfer;
+  });
+  await page.dispatchEvent(".disk[aria-label='Disk A:']", "drop", { dataTransfer: data });
+  await dialog.getByText("A:DROP.BAS is on the disk.").waitFor();
+  await page.keyboard.press("Escape");
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.type('RUN "B:FEED"\nRUN "DROP"\n');
+  await printedEnd(page, ' 42\n>RUN "DROP"\n 49\n>');
 });

@@ -4,21 +4,28 @@
 
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, Kind};
-use motionbench_core::controller::{Controller, Input, Slot, Status};
-use motionbench_core::language::{Span, latin1};
-use motionbench_core::mc600::program::{Program, STORED_LENGTH, split_lines};
+use motionbench_core::controller::{Controller, Input, Slot, Status, Survives};
+use motionbench_core::language::{Span, latin1, split_lines};
+use motionbench_core::mc600::program::{Program, STORED_LENGTH};
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::{Limits, Outcome, Scenario, program_text};
 use motionbench_core::serial::{LineSettings, Parity};
 use motionbench_core::time::Nanos;
 
+#[path = "fuzz/smartmotor.rs"]
+mod smartmotor;
+
+pub use smartmotor::{smartmotor_serial, smartmotor_text};
+
 /// A fuzzer's name and what it does with bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every fuzzer.
-pub const TARGETS: [Target; 3] = [
+pub const TARGETS: [Target; 5] = [
     ("mc600_text", mc600_text),
     ("mc600_console", mc600_console),
+    ("smartmotor_text", smartmotor_text),
+    ("smartmotor_serial", smartmotor_serial),
     ("scenario", scenario),
 ];
 
@@ -67,9 +74,9 @@ pub fn mc600_console(data: &[u8]) {
     // A receiver that is set right in the middle of a stream finds its step in the pause that Ctrl-C makes.
     card.bench.send_urgent(card.line, &[CTRL_C]);
     card.run(100);
-    card.interrupt();
-    if locked == "yes" {
-        card.answer(b"PASSWORD");
+    if card.interrupt() == At::Password {
+        let password = card.password();
+        card.answer(&password);
     }
     card.answer(b"NEW");
     let answer = card.answer(b"PRINT 7*6");
@@ -216,6 +223,13 @@ fn executed(listing: &str) {
     assert_eq!(card.controller().listing(&Slot::Program), Some(before));
 }
 
+/// What the card waits for after Ctrl-C.
+#[derive(PartialEq)]
+enum At {
+    Prompt,
+    Password,
+}
+
 /// A card on the bench, switched on, and its console.
 struct Card {
     bench: Bench,
@@ -315,7 +329,8 @@ impl Card {
                 let index = usize::from(fault - b'A');
                 let kind = faults[index % faults.len()].to_owned();
                 let active = index < faults.len();
-                let axis = None;
+                // A fault of the drive by its number.
+                let axis = (kind == "internal").then(|| "13".to_owned());
                 self.input(Input::Fault { kind, axis, active });
             }
             _ => self.send(&[ESCAPE]),
@@ -328,7 +343,7 @@ impl Card {
 
     /// Ctrl-C: 50 ms after it has arrived the prompt is back, the line's time for the message apart; before the
     /// password that is the question for it.
-    fn interrupt(&mut self) {
+    fn interrupt(&mut self) -> At {
         self.probe.console.clear();
         self.bench.send_urgent(self.line, &[CTRL_C]);
         let character = 11.0 / 9600.0;
@@ -338,9 +353,25 @@ impl Card {
         let limit = arrived + Nanos::from_millis(50) + Nanos::from_seconds(message * character);
         self.bench.run_until(limit, &mut self.probe);
         let output = self.output();
-        let prompted = output.ends_with(b">") || output.ends_with(b"PASSWORD? ");
-        assert!(prompted, "{:?} {:?}", latin1::text(&output), self.status());
         assert_eq!(self.bench.host_pending(self.line), 0);
+        if output.ends_with(b">") {
+            At::Prompt
+        } else if output.ends_with(b"PASSWORD? ") {
+            At::Password
+        } else {
+            panic!("{:?} {:?}", latin1::text(&output), self.status());
+        }
+    }
+
+    /// The password that it has now: what was typed may have changed it.
+    fn password(&self) -> Vec<u8> {
+        let station = self.bench.station(self.station).unwrap();
+        let memory = station.memory(Survives::MainsSwitch);
+        let changed = memory
+            .items
+            .into_iter()
+            .find(|item| item.name == "PASSWORD");
+        changed.map_or(b"PASSWORD".to_vec(), |item| item.bytes)
     }
 
     /// Types a line at the prompt and gives what the card sends until it is there again.

@@ -31,6 +31,16 @@ fn mc600_console() {
 }
 
 #[test]
+fn smartmotor_text() {
+    replay("smartmotor_text");
+}
+
+#[test]
+fn smartmotor_serial() {
+    replay("smartmotor_serial");
+}
+
+#[test]
 fn scenario() {
     replay("scenario");
 }

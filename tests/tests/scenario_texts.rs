@@ -55,6 +55,17 @@ fn texts_that_are_no_scenario() {
             "expected `key=value`, found `locked`",
         ),
         ("bench mc600 locked=maybe", 1, "locked is yes or no"),
+        ("bench mc600 line=a", 1, "mc600 has a host line of its own"),
+        (
+            "bench smartmotor line=2",
+            1,
+            "`2` is not a line's name: a letter, then letters, digits, `-` and `_`",
+        ),
+        (
+            "bench smartmotor address=101",
+            1,
+            "address is a number from 1 to 100",
+        ),
         (
             "known-failure \"a\"\nknown-failure \"b\"",
             2,

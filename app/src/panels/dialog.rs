@@ -25,10 +25,10 @@ pub(super) fn Dialog(
     view! {
         <dialog class="dialog" node_ref=dialog aria-label=title on:close=move |_| open.set(false)>
             <Show when=move || open.get()>
-                <header class="dialog-head">
+                <div class="dialog-head">
                     <h2>{title}</h2>
                     <button type="button" class="close" aria-label="Close" on:click=move |_| open.set(false)></button>
-                </header>
+                </div>
                 {children()}
             </Show>
         </dialog>

@@ -53,6 +53,7 @@ pub(super) fn Editor(
             <header class="panel-head">
                 <h2 id="editor-title">"Program"</h2>
                 <span class="muted">{move || agreement.get().words()}</span>
+                <programs::ProgramMenu store />
             </header>
             <Show when=move || failed.get()>
                 <p class="sorry" role="alert">"The editor could not be loaded. Reload the page to try again."</p>

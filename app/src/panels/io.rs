@@ -21,7 +21,7 @@ pub(super) fn Io(store: Store) -> impl IntoView {
             .enumerate();
         let switches = inputs
             .clone()
-            .filter(|(_, input)| !matches!(input.handle, Handle::Knob(_)))
+            .filter(|(_, input)| matches!(input.handle, Handle::Switch | Handle::Pin(_)))
             .map(|(place, input)| view! { <Switch store place input /> });
         let has_knobs = inputs
             .clone()
@@ -95,17 +95,45 @@ fn Knobs(store: Store) -> impl IntoView {
         .with_untracked(Wiring::inputs)
         .iter()
         .enumerate();
-    let knobs = inputs.filter_map(|(place, input)| match input.handle {
-        Handle::Switch => None,
-        Handle::Knob(range) | Handle::Pin(range) => Some((place, input, range)),
-    });
-    let knobs: Vec<_> = knobs.collect();
+    let knob = move |(place, input): (usize, &'static Wired)| match input.handle {
+        Handle::Switch => ().into_any(),
+        Handle::Knob(range) | Handle::Pin(range) => {
+            view! { <Knob store place input range /> }.into_any()
+        }
+        Handle::Jog(steps) => view! { <Jog store place input steps /> }.into_any(),
+    };
+    let knobs: Vec<_> = inputs.collect();
     view! {
         <Popover label=|| "Knobs" name="Knobs at the inputs">
             <div class="knobs">
-                {knobs.iter().map(|&(place, input, range)| view! { <Knob store place input range /> }).collect_view()}
+                {knobs.iter().copied().map(knob).collect_view()}
             </div>
         </Popover>
+    }
+}
+
+/// What is pushed by steps.
+#[component]
+fn Jog(store: Store, place: usize, input: &'static Wired, steps: &'static [f64]) -> impl IntoView {
+    let button = move |&step: &f64| {
+        let push = move |_| {
+            let message = store
+                .wiring
+                .with_untracked(|wiring| wiring.turn(place, step));
+            if let Some(message) = message {
+                store.send(message);
+            }
+        };
+        let sign = if step > 0.0 { "+" } else { "" };
+        view! {
+            <button type="button" class="button figures" on:click=push>{sign}{words::number(step, 0)}</button>
+        }
+    };
+    view! {
+        <div class="knob" role="group" aria-label=input.name>
+            <span aria-hidden="true">{input.name}</span>
+            <div class="jog">{steps.iter().map(button).collect_view()}</div>
+        </div>
     }
 }
 

@@ -4,6 +4,7 @@
 #![allow(unreachable_pub)]
 
 mod axis;
+mod cam;
 mod controller;
 mod dialog;
 mod draw;

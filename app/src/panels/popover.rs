@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{HtmlElement, MouseEvent};
+use web_sys::{Element, HtmlElement, MouseEvent};
 
 /// Between the button and what it opens, CSS pixels.
 const GAP: f64 = 4.0;
@@ -18,6 +18,9 @@ pub(super) fn Popover(
     /// Classes of the button.
     #[prop(default = "tool")]
     class: &'static str,
+    /// Called when it opens, with `true`, and when it closes.
+    #[prop(optional, into)]
+    on_toggle: Option<Callback<bool>>,
     children: Children,
 ) -> impl IntoView {
     static NEXT: AtomicU32 = AtomicU32::new(0);
@@ -35,9 +38,26 @@ pub(super) fn Popover(
             {label.run()}
             <span class="caret" aria-hidden="true"></span>
         </button>
-        <div class="popover" popover="auto" id=id role="group" aria-label=name node_ref=opened>
+        <div class="popover" popover="auto" id=id role="group" aria-label=name node_ref=opened
+            on:toggle=move |_| {
+                if let (Some(call), Some(opened)) = (on_toggle, opened.get_untracked()) {
+                    call.run(opened.matches(":popover-open").unwrap_or(false));
+                }
+            }>
             {children()}
         </div>
+    }
+}
+
+/// Closes what the chosen item is in.
+pub(super) fn close(event: MouseEvent) {
+    let target = event
+        .target()
+        .and_then(|target| target.dyn_into::<Element>().ok());
+    let popover = target.and_then(|target| target.closest("[popover]").ok().flatten());
+    if let Some(popover) = popover.and_then(|popover| popover.dyn_into::<HtmlElement>().ok()) {
+        // One that is closed already stays closed.
+        let _ = popover.hide_popover();
     }
 }
 

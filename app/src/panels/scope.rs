@@ -131,6 +131,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
         <section class="panel scope" aria-labelledby="scope-title">
             <header class="panel-head">
                 <h2 id="scope-title">"Scope"</h2>
+                <Show when=move || store.kind().has_cam><super::cam::Cam store /></Show>
                 <Controls store sheets />
             </header>
             <super::axis::Axis store />

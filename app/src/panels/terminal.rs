@@ -1,5 +1,6 @@
 //! The terminal on the console's line.
 
+mod disks;
 mod file;
 mod line;
 mod tools;
@@ -12,6 +13,7 @@ use leptos::ev;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
+use motionbench_core::catalog::FirstStep;
 use web_sys::{ClipboardEvent, Element, HtmlTextAreaElement, KeyboardEvent};
 
 use super::{draw, room};
@@ -26,6 +28,8 @@ const FLOOD: u64 = 100;
 const CALM: Duration = Duration::from_millis(200);
 /// The height of a row, rem, as in the style sheet.
 const ROW_REM: f64 = 1.25;
+/// A line with fewer characters shows no one what a line looks like.
+const SHORTEST_EXAMPLE: usize = 4;
 /// Characters by whose width that of one is measured.
 const RULER: &str = "00000000000000000000";
 
@@ -253,12 +257,22 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
         store.type_text(format!("{}\r", sent(&line.get_untracked())));
         line.set(String::new());
     };
+    let capitals = move || match store.kind().text.ignores_case {
+        true => "characters",
+        false => "none",
+    };
+    let example = move || {
+        let mut steps = store.kind().first_steps.iter();
+        steps.find_map(|step| match step {
+            FirstStep::Type(line, _) if line.len() >= SHORTEST_EXAMPLE => Some(*line),
+            _ => None,
+        })
+    };
     view! {
         <form class="compose" aria-label="Line for the controller" on:submit=submit>
-            <input class="field" type="text" autocomplete="off" autocapitalize="characters"
+            <input class="field" type="text" autocomplete="off" autocapitalize=capitals
                 spellcheck="false" enterkeyhint="send" aria-label="A line for the controller"
-                placeholder="10 MDRVEN()"
-                {..custom_attribute("autocorrect", "off")} bind:value=line />
+                {..custom_attribute("autocorrect", "off")} placeholder=example bind:value=line />
             <button type="button" class="button" on:click=move |_| store.send(ToWorker::Stop)>"Ctrl-C"</button>
             <button type="submit" class="button">"Send"</button>
         </form>

@@ -112,6 +112,8 @@ impl Store {
                     .update(|editor| editor.heard_listing(*revision, text));
             }
             FromWorker::Kept(memory) => self.kept.set(Some(memory.clone())),
+            FromWorker::Cam(table) => self.cam.set(table.clone()),
+            FromWorker::Filed(filed) => self.filed.set(Some(filed.clone())),
             FromWorker::Ready(_) | FromWorker::Frame(_) => {}
         }
     }

@@ -4,7 +4,7 @@
 
 use leptos::prelude::*;
 use motionbench_core::catalog::{KINDS, Kind, TerminalSettings};
-use motionbench_core::controller::{Memory, RunState};
+use motionbench_core::controller::{CamTable, Memory, RunState};
 use motionbench_core::exec::Wait;
 
 use super::editor::EditorState;
@@ -46,6 +46,10 @@ pub struct Store {
     pub refusal: RwSignal<Option<Unloadable>>,
     /// What the controller held when it was last asked.
     pub kept: RwSignal<Option<Memory>>,
+    /// The cam table in use when it was last asked for.
+    pub cam: RwSignal<Option<CamTable>>,
+    /// What came of the last file that was given to the controller.
+    pub filed: RwSignal<Option<Result<String, String>>>,
     /// The project's name.
     pub project_name: RwSignal<String>,
     /// The work with other controllers of the project, which are not on the bench now.
@@ -87,6 +91,8 @@ impl Store {
             asked: RwSignal::new(false),
             refusal: RwSignal::new(None),
             kept: RwSignal::new(None),
+            cam: RwSignal::new(None),
+            filed: RwSignal::new(None),
             project_name: RwSignal::new("My project".to_owned()),
             others: RwSignal::default(),
             terminal_settings: RwSignal::default(),

@@ -54,7 +54,10 @@ impl Wiring {
     /// The message that sets an input.
     pub fn turn(&self, input: usize, value: f64) -> Option<ToWorker> {
         let wired = self.inputs.get(input)?;
-        let (from, to) = ends(wired.handle);
+        let (from, to) = match wired.handle {
+            Handle::Jog(_) => (value, value),
+            handle => ends(handle),
+        };
         Some(ToWorker::Wire {
             name: wired.wire.to_owned(),
             value: value.clamp(from, to),
@@ -66,7 +69,11 @@ impl Wiring {
         match message {
             ToWorker::EmergencyStop(pressed) => self.estop = *pressed,
             ToWorker::Wire { name, value } => {
-                let place = self.inputs.iter().position(|input| input.wire == name);
+                let stays = |input: &Wired| !matches!(input.handle, Handle::Jog(_));
+                let place = self
+                    .inputs
+                    .iter()
+                    .position(|input| input.wire == name && stays(input));
                 if let Some(held) = place.and_then(|place| self.values.get_mut(place)) {
                     *held = *value;
                 }
@@ -93,6 +100,7 @@ fn ends(handle: Handle) -> (f64, f64) {
     match handle {
         Handle::Switch => (0.0, 1.0),
         Handle::Knob(range) | Handle::Pin(range) => (range.from, range.to),
+        Handle::Jog(_) => (0.0, 0.0),
     }
 }
 

@@ -3,7 +3,7 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, TerminalSettings};
 use motionbench_core::controller::{
-    ControllerInfo, Debug, Input, Memory, RunState, Slot, Status, Survives,
+    ControllerInfo, Debug, DebugReply, Input, Memory, RunState, Slot, Status, Survives,
 };
 use motionbench_core::language::latin1;
 use motionbench_core::probe::{ConsoleByte, Probe};
@@ -158,6 +158,19 @@ impl Engine {
             ToWorker::Restore(memory) => {
                 self.kept.clone_from(memory);
                 self.bench.station_mut(self.station)?.restore(memory);
+            }
+            ToWorker::Cam => {
+                let table = match self.bench.station_mut(self.station)?.debug(Debug::Cam) {
+                    DebugReply::Cam(table) => Some(table),
+                    DebugReply::Done | DebugReply::Value(_) | DebugReply::Refused(_) => None,
+                };
+                return Some(FromWorker::Cam(table));
+            }
+            ToWorker::PutFile { name, text } => {
+                let station = self.bench.station_mut(self.station)?;
+                let taken = station.load(&Slot::File(name.clone()), text);
+                let filed = taken.map(|_| name.clone()).map_err(|error| error.message);
+                return Some(FromWorker::Filed(filed));
             }
             ToWorker::Power(on) => {
                 self.frozen = false;

@@ -20,8 +20,8 @@ pub(super) struct Program {
     result: (&'static str, fn(f64) -> f64),
 }
 
-/// Every measured program, in MotionBasic.
-pub(super) const PROGRAMS: [Program; 6] = [
+/// Every measured program, in its controller's language.
+pub(super) const PROGRAMS: [Program; 8] = [
     Program {
         name: "mc600/1",
         controller: "mc600",
@@ -63,6 +63,20 @@ pub(super) const PROGRAMS: [Program; 6] = [
         text: nested,
         passes: 100.0,
         result: ("C", |_| 84.0),
+    },
+    Program {
+        name: "smartmotor/1i",
+        controller: "smartmotor",
+        text: |n| format!("WHILE i<{n}\ni=i+1\ns=s+1\nLOOP\nEND\n"),
+        passes: 1.0,
+        result: ("s", |n| n),
+    },
+    Program {
+        name: "smartmotor/4",
+        controller: "smartmotor",
+        text: |n| format!("WHILE i<{n}\nGOSUB1\ni=i+1\nLOOP\nEND\nC1\nc=c+1\nRETURN\n"),
+        passes: 1.0,
+        result: ("c", |n| n),
     },
 ];
 

@@ -14,7 +14,7 @@ pub struct KeywordRow {
     pub section: ManualRef,
     /// Whether it works here.
     pub support: Support,
-    /// A line that uses it.
+    /// One line or more that use it, with `\n` between: a program where they have numbers.
     pub example: &'static str,
 }
 

@@ -1,17 +1,19 @@
-//! What the four languages share: places in a line, keyword rows, diagnostics, highlighting, a byte cursor, precedence
-//! climbing. What a word means, and how it is spelled, is each controller's own affair.
+//! What the four languages share: lines and places in them, keyword rows, diagnostics, highlighting, a byte cursor,
+//! precedence climbing. What a word means, and how it is spelled, is each controller's own affair.
 
 mod cursor;
 mod diagnostic;
 mod highlight;
 mod keyword;
 pub mod latin1;
+mod lines;
 pub mod precedence;
 
 pub use cursor::Cursor;
 pub use diagnostic::{Cure, Diagnostic, Severity};
 pub use highlight::{Highlight, HighlightClass};
 pub use keyword::{KeywordRow, ManualRef, Support};
+pub use lines::split_lines;
 
 /// A place in one line of text: bytes `start..end` as the device holds the line, where one character is one byte
 /// ([`latin1`]); so these are also character counts of the text that a person edits.

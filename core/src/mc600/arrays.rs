@@ -180,6 +180,39 @@ impl Array {
         Ok(())
     }
 
+    /// The elements of an integer array of one dimension, for a cam.
+    pub fn table(&self) -> Option<&Rc<Vec<i32>>> {
+        match &self.elements {
+            Elements::Integer(elements) if self.sizes.len() == 1 => Some(elements),
+            _ => None,
+        }
+    }
+
+    /// The first two elements of a row of an integer array of two dimensions.
+    pub fn pair(&self, row: usize) -> Option<(i32, i32)> {
+        let Elements::Integer(elements) = &self.elements else {
+            return None;
+        };
+        let &[rows, columns] = self.sizes.as_slice() else {
+            return None;
+        };
+        let columns = usize::try_from(columns)
+            .ok()
+            .filter(|&columns| columns > 1)?;
+        let first = (row < usize::try_from(rows).ok()?).then_some(row * columns)?;
+        Some((*elements.get(first)?, *elements.get(first + 1)?))
+    }
+
+    /// Sets the first elements of an integer array.
+    pub fn fill(&mut self, values: &[i32]) {
+        if let Elements::Integer(elements) = &mut self.elements {
+            let elements = Rc::make_mut(elements).iter_mut();
+            elements
+                .zip(values)
+                .for_each(|(element, &value)| *element = value);
+        }
+    }
+
     /// A string element.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // an index made by this array
     pub fn text(&self, index: f64) -> Option<&Text> {

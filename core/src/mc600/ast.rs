@@ -141,14 +141,31 @@ pub enum StatementKind {
     Save(Option<Expr>),
     /// `LOAD "name"`
     Load(Expr),
-    /// A motion, drive or I/O call: `MMOVE(40960)`, `MDRVEN()`, `OUTW(255)`. The arguments are counted by the parser.
+    /// `MERGE "name"`
+    Merge(Expr),
+    /// `COPY "from","to"`
+    Copy {
+        /// The file that there is.
+        from: Expr,
+        /// The name of the new one, or a disk alone.
+        to: Expr,
+    },
+    /// `ERASE "mask"`
+    Erase(Expr),
+    /// `FORMAT "disk:"`
+    Format(Expr),
+    /// `PASSWORD`
+    Password,
+    /// `RETI`
+    Reti,
+    /// A motion, drive, interrupt or I/O call: `MMOVE(40960)`, `MCAM(T%)`. The arguments are counted by the parser.
     Call {
-        /// MSPEED MMOVE MIMOVE MIDLE MCLRFAULT MDRVEN MDRVDIS OUTW
+        /// One of the calls of `motion_calls`.
         keyword: Keyword,
-        /// Numeric expressions.
+        /// Numeric expressions, and the names of tables.
         arguments: Vec<Expr>,
     },
-    /// A word of the table that this firmware does not do (yet).
+    /// A word of the table that this firmware does not do .
     NotImplemented(Keyword),
 }
 
@@ -294,6 +311,8 @@ pub enum Function {
     Abs,
     Atn,
     Asc,
+    /// `CAN_DATA%(mailbox)`
+    CanData,
     ChrS,
     Cos,
     Exp,
@@ -307,6 +326,8 @@ pub enum Function {
     Outsta,
     RightS,
     Rnd,
+    Sdoerror,
+    Sdoread,
     Sgn,
     Sin,
     Sqr,

@@ -151,8 +151,9 @@ pub enum Code {
     GetSystem,
     /// `system variable a = rb`
     SetSystem,
-    /// Motion call `a` with the argument `rb`
+    /// Motion call `a` with its arguments in registers from `b`
     Motion,
+
     /// `DIM` of array `a`, `c` sizes in registers from `b`
     Dim,
 
@@ -225,6 +226,8 @@ pub enum Code {
     Stop,
     /// Hands over to the firmware: see [`SystemCall`]; `a` is its number, `b` and `c` its operands
     System,
+    /// Returns from an interrupt
+    ReturnFromInterrupt,
     /// A breakpoint stands before the operation here
     Break,
 }
@@ -263,10 +266,20 @@ pub enum SystemCall {
     Save,
     /// Loads `sb`.
     Load,
+    /// Adds the lines of `sb` to the program.
+    Merge,
+    /// Copies `sb` to `sc`.
+    Copy,
+    /// Erases the files that match `sb`.
+    Erase,
+    /// Empties disk `sb`.
+    Format,
+    /// Asks for the old password and a new one.
+    Password,
 }
 
 impl SystemCall {
-    const ALL: [SystemCall; 14] = [
+    const ALL: [SystemCall; 19] = [
         SystemCall::New,
         SystemCall::List,
         SystemCall::Run,
@@ -281,6 +294,11 @@ impl SystemCall {
         SystemCall::Files,
         SystemCall::Save,
         SystemCall::Load,
+        SystemCall::Merge,
+        SystemCall::Copy,
+        SystemCall::Erase,
+        SystemCall::Format,
+        SystemCall::Password,
     ];
 
     /// The call that `call as u16` came from.

@@ -1,13 +1,13 @@
-//! Commands: what changes the program, starts it, and moves it to and from the disks.
+//! Commands: what changes the program and starts it.
 
 use super::ast::LineRange;
-use super::code::{ANY, Op, SystemCall};
+use super::code::{Op, SystemCall};
 use super::compile::{compile, compile_direct};
-use super::disks::FileName;
 use super::firmware::{ErrorCode, LAST_LINE, MEMORY};
+use super::interrupts::Interrupts;
 use super::lexer::line_number;
 use super::parser::parse_line;
-use super::program::{Program, STORED_LENGTH};
+use super::program::Program;
 use super::value::to_integer;
 use super::{Mc600, Mode};
 
@@ -40,6 +40,7 @@ impl Mc600 {
         self.vm.symbols = super::symbols::Symbols::default();
         self.vm.program_bytes = self.program.bytes();
         self.vm.clear();
+        self.machine.interrupts = Interrupts::new();
     }
 
     pub(super) fn new_program(&mut self) {
@@ -112,6 +113,14 @@ impl Mc600 {
             SystemCall::Files => self.directory(op.b),
             SystemCall::Save => self.save(op.b),
             SystemCall::Load => self.load_file(op.b).map(|()| self.finish()),
+            SystemCall::Merge => self.merge_file(op.b),
+            SystemCall::Copy => self.copy(op.b, op.c),
+            SystemCall::Erase => self.erase(op.b),
+            SystemCall::Format => self.format(op.b),
+            SystemCall::Password => {
+                self.ask_for_password();
+                Ok(())
+            }
         };
         if let Err(error) = done {
             self.report(error, line);
@@ -131,6 +140,7 @@ impl Mc600 {
             None => 0,
         };
         self.vm.clear();
+        self.machine.interrupts = Interrupts::new();
         self.vm.pc = pc;
         (self.resume, self.error) = (None, None);
         self.mode = Mode::Running;
@@ -229,65 +239,11 @@ impl Mc600 {
         true
     }
 
-    fn directory(&mut self, mask: u16) -> Result<(), ErrorCode> {
-        let mask = if mask == ANY {
-            Vec::new()
-        } else {
-            self.vm.string(mask).to_vec()
-        };
-        let text = self.disks.directory(&mask)?;
-        self.on_new_line(&text);
-        Ok(())
-    }
-
-    fn save(&mut self, name: u16) -> Result<(), ErrorCode> {
-        let name = match name {
-            // Without a name: the one it was last loaded from or saved to (D48).
-            ANY => self.file.clone().ok_or(ErrorCode::Syntax)?,
-            name => FileName::parse(self.vm.string(name))?,
-        };
-        let text = self.program.to_text();
-        self.charge_bytes(text.len());
-        self.disks.write(&name, &text)?;
-        self.file = Some(name);
-        Ok(())
-    }
-
-    fn load_file(&mut self, name: u16) -> Result<(), ErrorCode> {
-        let name = FileName::parse(self.vm.string(name))?;
-        self.load_named(&name)
-    }
-
-    fn load_named(&mut self, name: &FileName) -> Result<(), ErrorCode> {
-        let bytes = self.disks.read(name).ok_or(ErrorCode::FileNotFound)?;
-        self.charge_bytes(bytes.len());
-        let program = Program::from_text(&bytes, STORED_LENGTH).map_err(|fault| fault.error)?;
-        self.replace_program(program);
-        self.file = Some(name.clone());
-        Ok(())
-    }
-
     /// Puts another program into memory; what runs is over.
     pub(super) fn replace_program(&mut self, program: Program) {
         self.new_program();
         self.program.replace(program);
         self.program_changed();
-    }
-
-    /// The application that the drive's ALIAS names is loaded from B: and run (Installation).
-    pub(super) fn start_application(&mut self, alias: &str) {
-        let name = if alias.contains(':') {
-            alias.to_owned()
-        } else {
-            format!("B:{alias}")
-        };
-        let started = FileName::parse(name.as_bytes())
-            .and_then(|name| self.load_named(&name))
-            .and_then(|()| self.start(None));
-        if let Err(error) = started {
-            self.report(error, None);
-            self.finish();
-        }
     }
 }
 

@@ -17,7 +17,8 @@ const PENDING: usize = 16;
 
 const CTRL_C: u8 = 0x03;
 const BACKSPACE: u8 = 0x08;
-const DELETE: u8 = 0x7F;
+/// Erases the last character typed, as backspace does.
+pub const DELETE: u8 = 0x7F;
 
 /// How typed characters come back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

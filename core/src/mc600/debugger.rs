@@ -65,6 +65,11 @@ impl Debugger {
         self.state == State::Held
     }
 
+    /// Whether an interrupt may enter: not while the program leaves the breakpoint that it stands at.
+    pub fn lets_interrupts_in(&self) -> bool {
+        matches!(self.state, State::Free | State::Until(_))
+    }
+
     /// Lets the program go.
     pub fn release(&mut self) {
         self.state = if self.holds() {

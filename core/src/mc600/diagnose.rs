@@ -10,12 +10,14 @@ use super::commands::device_line;
 use super::compile::{Problem, check};
 use super::firmware::{ErrorCode, LAST_LINE, LINE_LENGTH};
 use super::jumps::{Jump, jumps};
-use super::keywords::Keyword;
+use super::keywords::{Keyword, rows};
 use super::lexer::{TokenKind, is_blank, line_number, tokens};
 use super::parser::{ParsedLine, parse_line};
-use super::program::{Program, split_lines};
+use super::program::Program;
 use crate::language::Support::{Absent, Full, Partial};
-use crate::language::{Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
+use crate::language::{
+    Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1, split_lines,
+};
 
 /// Everything that can be said about a program's text, in the order of its lines.
 pub fn diagnose(text: &str) -> Vec<Diagnostic> {
@@ -319,7 +321,14 @@ pub fn words(line: &str) -> Vec<&'static str> {
     tokens(&bytes, body)
         .into_iter()
         .filter_map(|token| match token.kind {
-            TokenKind::Keyword(keyword) => Some(keyword.word()),
+            // A variable may have two spellings in the table.
+            TokenKind::Keyword(keyword) => {
+                let spelled = token.span.of(&bytes);
+                let row = rows()
+                    .into_iter()
+                    .find(|row| row.word.as_bytes().eq_ignore_ascii_case(spelled));
+                Some(row.map_or(keyword.word(), |row| row.word))
+            }
             _ => None,
         })
         .collect()

@@ -3,7 +3,20 @@
 use std::rc::Rc;
 
 use super::firmware::{DISK_A, DISK_B, ErrorCode};
+use crate::catalog::DiskInfo;
 use crate::files::{Disk, matches};
+
+/// The disks for people.
+pub const DISKS: &[DiskInfo] = &[
+    DiskInfo {
+        prefix: "A:",
+        words: "RAM, lost with the power",
+    },
+    DiskInfo {
+        prefix: "B:",
+        words: "FLASH, kept without power",
+    },
+];
 
 /// The two disks.
 #[derive(Debug, Clone)]
@@ -35,11 +48,7 @@ impl FileName {
     /// ILLEGAL QUANTITY for what is not a name of eight and three characters (D49).
     pub fn parse(text: &[u8]) -> Result<FileName, ErrorCode> {
         let (unit, rest) = unit_and_rest(text)?;
-        let name = if rest.contains('.') {
-            rest
-        } else {
-            format!("{rest}.BAS")
-        };
+        let name = with_extension(rest);
         let (stem, extension) = name.split_once('.').unwrap_or((&name, ""));
         let fits = (1..=8).contains(&stem.len()) && extension.len() <= 3;
         let plain = |part: &str| {
@@ -52,6 +61,40 @@ impl FileName {
             Err(ErrorCode::IllegalQuantity)
         }
     }
+
+    /// Reads where a copy of this file goes: a name, or a disk alone, which takes it under the same name (D231).
+    ///
+    /// # Errors
+    /// ILLEGAL QUANTITY as for [`FileName::parse`]; FILE OPEN for the file itself, which is being read.
+    pub fn copy_to(&self, text: &[u8]) -> Result<FileName, ErrorCode> {
+        let to = match disk_alone(text) {
+            Some(unit) => FileName {
+                unit,
+                name: self.name.clone(),
+            },
+            None => FileName::parse(text)?,
+        };
+        if to == *self {
+            Err(ErrorCode::FileOpen)
+        } else {
+            Ok(to)
+        }
+    }
+}
+
+/// A name without an extension is a program's (D51).
+fn with_extension(name: String) -> String {
+    if name.contains('.') {
+        name
+    } else {
+        format!("{name}.BAS")
+    }
+}
+
+/// `A:` or `B:` with nothing behind it.
+fn disk_alone(text: &[u8]) -> Option<Unit> {
+    let (unit, rest) = unit_and_rest(text).ok()?;
+    (rest.is_empty() && text.contains(&b':')).then_some(unit)
 }
 
 /// Splits off the disk, and takes the rest in upper case.
@@ -67,6 +110,17 @@ fn unit_and_rest(text: &[u8]) -> Result<(Unit, String), ErrorCode> {
         Some(_) => Err(ErrorCode::IllegalQuantity),
         None => Ok((Unit::A, text)),
     }
+}
+
+/// A mask for the files of a disk; `None` for a disk alone. Without an extension it is for programs, unless it ends in
+/// `*` (D230).
+fn unit_and_mask(text: &[u8]) -> Result<(Unit, Option<String>), ErrorCode> {
+    let (unit, mask) = unit_and_rest(text)?;
+    Ok(match mask.as_str() {
+        "" => (unit, None),
+        any if any.ends_with('*') => (unit, Some(mask)),
+        _ => (unit, Some(with_extension(mask))),
+    })
 }
 
 impl Default for Disks {
@@ -94,13 +148,42 @@ impl Disks {
     /// # Errors
     /// OUT OF MEMORY if the disk has no room (D49).
     pub fn write(&mut self, name: &FileName, bytes: &[u8]) -> Result<(), ErrorCode> {
-        let disk = if name.unit == Unit::A {
-            &mut self.a
-        } else {
-            &mut self.b
-        };
+        let disk = self.disk_mut(name.unit);
         disk.write(&name.name, bytes)
             .map_err(|_| ErrorCode::OutOfMemory)
+    }
+
+    /// Erases the files that match a mask (ERASE).
+    ///
+    /// # Errors
+    /// FILE NOT FOUND if there are none; ILLEGAL QUANTITY for a disk that there is not, and for a disk alone, which
+    /// only FORMAT empties (D230).
+    pub fn erase(&mut self, mask: &[u8]) -> Result<(), ErrorCode> {
+        let (unit, mask) = unit_and_mask(mask)?;
+        let mask = mask.ok_or(ErrorCode::IllegalQuantity)?;
+        let names = self.disk(unit).iter().map(|(name, _)| name);
+        let doomed: Vec<String> = names
+            .filter(|name| matches(&mask, name))
+            .map(str::to_owned)
+            .collect();
+        if doomed.is_empty() {
+            return Err(ErrorCode::FileNotFound);
+        }
+        for name in doomed {
+            self.disk_mut(unit).remove(&name);
+        }
+        Ok(())
+    }
+
+    /// Empties a disk (FORMAT); how many bytes were formatted.
+    ///
+    /// # Errors
+    /// ILLEGAL QUANTITY for anything but a disk alone.
+    pub fn format(&mut self, text: &[u8]) -> Result<usize, ErrorCode> {
+        let unit = disk_alone(text).ok_or(ErrorCode::IllegalQuantity)?;
+        let disk = self.disk_mut(unit);
+        disk.clear();
+        Ok(disk.free())
     }
 
     /// The directory of the files that match a mask, and what is free (D50).
@@ -108,11 +191,11 @@ impl Disks {
     /// # Errors
     /// ILLEGAL QUANTITY for a disk that there is not.
     pub fn directory(&self, mask: &[u8]) -> Result<String, ErrorCode> {
-        let (unit, mask) = unit_and_rest(mask)?;
-        let mask = if mask.is_empty() { "*" } else { &mask };
+        let (unit, mask) = unit_and_mask(mask)?;
+        let mask = mask.unwrap_or_else(|| "*".to_owned());
         let disk = self.disk(unit);
         let mut text = String::new();
-        for (name, bytes) in disk.iter().filter(|(name, _)| matches(mask, name)) {
+        for (name, bytes) in disk.iter().filter(|(name, _)| matches(&mask, name)) {
             text.push_str(&format!("{name:<12}{:>8}\r\n", bytes.len()));
         }
         text.push_str(&format!("{:>20} BYTES FREE\r\n", disk.free()));
@@ -127,6 +210,13 @@ impl Disks {
     /// The files of B:, which survive the mains switch.
     pub fn kept(&self) -> impl Iterator<Item = (&str, &Rc<[u8]>)> {
         self.b.iter()
+    }
+
+    fn disk_mut(&mut self, unit: Unit) -> &mut Disk {
+        match unit {
+            Unit::A => &mut self.a,
+            Unit::B => &mut self.b,
+        }
     }
 
     fn disk(&self, unit: Unit) -> &Disk {

@@ -8,7 +8,7 @@ use super::value::{in_range, to_integer};
 const EXP_LIMIT: f64 = 88.029_691_9;
 
 /// Functions of one number by the numbers that compiled programs know them by.
-const BY_NUMBER: [Function; 14] = [
+const BY_NUMBER: [Function; 17] = [
     Function::Abs,
     Function::Atn,
     Function::Cos,
@@ -23,6 +23,9 @@ const BY_NUMBER: [Function; 14] = [
     Function::Sqr,
     Function::Sqrt,
     Function::Tan,
+    Function::CanData,
+    Function::Sdoerror,
+    Function::Sdoread,
 ];
 
 /// The number that compiled programs know a function by; `None` for functions of strings and of two numbers.

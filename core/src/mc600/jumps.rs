@@ -109,7 +109,7 @@ impl Finder<'_> {
 fn is_mask(token: &Token) -> bool {
     matches!(
         token.kind,
-        TokenKind::Keyword(Keyword::Files | Keyword::Erase)
+        TokenKind::Keyword(Keyword::Files | Keyword::Erase | Keyword::Format)
     )
 }
 

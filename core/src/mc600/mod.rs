@@ -11,17 +11,20 @@ mod compile;
 mod console;
 mod debugger;
 pub mod diagnose;
-mod disks;
+pub mod disks;
 mod drive;
+mod file_commands;
 pub mod firmware;
 pub mod first_steps;
 mod functions;
+mod interrupts;
 mod jumps;
 pub mod keywords;
 mod lexer;
 pub mod machine;
-mod motion_calls;
+pub mod motion_calls;
 pub mod parser;
+mod password;
 mod planner;
 pub mod program;
 mod station;
@@ -33,14 +36,17 @@ pub mod wiring;
 
 use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};
+use crate::language::latin1;
 use crate::time::Nanos;
 use code::Exit;
-use console::{Console, Echo};
+use console::Console;
 use debugger::Debugger;
 use disks::Disks;
 use firmware::{BYTE_COST, COST_UNIT, CREDIT_A_SAMPLE, ErrorCode, SAMPLE, STATEMENT_COST};
 use keywords::{Keyword, keyword};
 use machine::{Machine, MotionCommand};
+use password::{Question, is_password};
+use planner::encoder::Interface;
 use program::Program;
 use vm::{Vm, World};
 
@@ -52,7 +58,7 @@ pub const OPTIONS: &[Opt] = &[
     },
     Opt {
         key: "locked",
-        help: "yes: asks for the password at power-up; no (default)",
+        help: "yes or no: asks for the password at power-up (default: once it is not the factory's)",
     },
     Opt {
         key: "alias",
@@ -60,16 +66,17 @@ pub const OPTIONS: &[Opt] = &[
     },
     Opt {
         key: "password",
-        help: "the password (default: PASSWORD)",
+        help: "the password, 1 to 80 characters (default: PASSWORD)",
+    },
+    Opt {
+        key: "encoder",
+        help: "of the master: quadrature (default), pulse, 24v, 24v-pulse, sincos, or servobus",
     },
     Opt {
         key: "without",
         help: "a keyword that the card answers with ?NOT IMPLEMENTED ERROR (default: none)",
     },
 ];
-
-/// The password of a new card (Installation).
-const FACTORY_PASSWORD: &str = "PASSWORD";
 
 /// What the firmware is at.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,6 +85,13 @@ enum Mode {
     Off,
     /// Asks for the password.
     Locked {
+        /// The question is out.
+        asked: bool,
+    },
+    /// PASSWORD asks.
+    Password {
+        /// What for.
+        question: Question,
         /// The question is out.
         asked: bool,
     },
@@ -126,10 +140,14 @@ pub struct Mc600 {
     error: Option<String>,
     debugger: Debugger,
     next: Nanos,
+    /// When the last sample began.
+    sampled: Nanos,
     samples: u64,
-    locked: bool,
+    /// Whether the password is asked for at power-up; `None`: once it is not the factory's (D233).
+    locked: Option<bool>,
     alias: Option<String>,
-    password: String,
+    /// As it is typed, 1 to 80 bytes.
+    password: Vec<u8>,
     /// A keyword that this card lacks.
     without: Option<Keyword>,
     /// Items of non-volatile memory that this version does not know.
@@ -163,10 +181,11 @@ impl Mc600 {
             error: None,
             debugger: Debugger::default(),
             next: Nanos::ZERO,
+            sampled: Nanos::ZERO,
             samples: 0,
-            locked: false,
+            locked: None,
             alias: None,
-            password: FACTORY_PASSWORD.to_owned(),
+            password: password::FACTORY.to_vec(),
             without: None,
             unknown: Vec::new(),
             log: Vec::new(),
@@ -188,10 +207,22 @@ impl Mc600 {
                     .filter(|speed| (1..=10_000).contains(speed));
                 self.speed = speed.ok_or("speed is authentic, fast or a number from 1 to 10000")?;
             }
-            ("locked", "yes" | "no") => self.locked = value == "yes",
+            ("locked", "yes" | "no") => self.locked = Some(value == "yes"),
             ("locked", _) => return Err("locked is yes or no".to_owned()),
             ("alias", name) => self.alias = (!name.is_empty()).then(|| name.to_owned()),
-            ("password", word) => self.password = word.to_owned(),
+            ("password", word) => {
+                let typed = latin1::bytes(word);
+                if !is_password(&typed) {
+                    return Err("password is 1 to 80 characters".to_owned());
+                }
+                self.password = typed;
+            }
+            ("encoder", name) => {
+                let known = Interface::NAMES.iter().find(|(known, _)| *known == name);
+                let names = Interface::NAMES.map(|(name, _)| name).join(", ");
+                let (_, interface) = known.ok_or_else(|| format!("encoder is one of {names}"))?;
+                self.machine.set_encoder(*interface);
+            }
             ("without", word) => {
                 let keyword =
                     keyword(word).ok_or_else(|| format!("mc600 has no keyword '{word}'"))?;
@@ -221,7 +252,7 @@ impl Mc600 {
         self.mode = Mode::Ready { prompted: false };
         if let Some(alias) = self.alias.clone() {
             self.start_application(&alias);
-        } else if self.locked {
+        } else if self.is_locked() {
             self.mode = Mode::Locked { asked: false };
         }
     }
@@ -244,6 +275,7 @@ impl Mc600 {
                     increment,
                     prompted,
                 } => self.offer_line(line, increment, prompted),
+                Mode::Password { .. } => self.change_password(),
                 Mode::Running => self.execute(ports.log_motion),
             };
             if !goes_on {
@@ -268,6 +300,7 @@ impl Mc600 {
             Mode::Off => {}
             Mode::Locked { .. } => self.mode = Mode::Locked { asked: false },
             Mode::Ready { .. } | Mode::Auto { .. } => self.mode = Mode::Ready { prompted: false },
+            Mode::Password { .. } => self.end_questions(),
             Mode::Running => self.break_off(),
         }
     }
@@ -344,17 +377,26 @@ impl Mc600 {
         if self.debugger.holds() {
             return false;
         }
+        let interrupts = self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in();
+        if interrupts {
+            self.vm.enter_interrupt(&mut self.credit, &mut self.machine);
+        }
+        // A statement that has waited is ended by itself, so that an interrupt enters behind it.
+        let ends_statement = interrupts && self.vm.is_amid_a_statement();
         let mut world = World {
             machine: &mut self.machine,
             console: &mut self.console,
             log: log_motion.then_some(&mut self.log),
             samples: self.samples,
         };
-        let exit = self
-            .debugger
-            .run(&mut self.vm, &mut self.credit, &mut world);
+        let exit = if ends_statement {
+            self.vm.step(&mut self.credit, &mut world)
+        } else {
+            self.debugger
+                .run(&mut self.vm, &mut self.credit, &mut world)
+        };
         match exit {
-            Exit::Credit => return false,
+            Exit::Credit => return ends_statement,
             Exit::Wait(wait) => {
                 self.waiting = Some(wait);
                 return false;
@@ -399,25 +441,5 @@ impl Mc600 {
         self.vm.say(b"\r\n");
         self.resume = None;
         self.error = Some(message);
-    }
-
-    /// The power-up password (Installation; D40).
-    fn unlock(&mut self, asked: bool) -> bool {
-        if !asked {
-            self.on_new_line("PASSWORD? ");
-            self.console.echo = Echo::Stars;
-            self.mode = Mode::Locked { asked: true };
-            return true;
-        }
-        let Some(typed) = self.console.take_line() else {
-            return false;
-        };
-        if !typed.too_long && typed.text == self.password.as_bytes() {
-            self.console.echo = Echo::Plain;
-            self.mode = Mode::Ready { prompted: false };
-        } else {
-            self.mode = Mode::Locked { asked: false };
-        }
-        true
     }
 }

@@ -9,7 +9,7 @@ use super::ast::LineRange;
 use super::firmware::{ErrorCode, LAST_LINE, LINE_LENGTH, MEMORY};
 use super::jumps::jumps;
 use super::lexer::{TokenKind, is_blank, line_number, tokens};
-use crate::language::latin1;
+use crate::language::{latin1, split_lines};
 
 /// The longest line that a program holds, its number counted (D27). The console takes 80 characters, but RENUM
 /// makes lines longer, and a program that was saved must load again.
@@ -125,6 +125,23 @@ impl Program {
         };
     }
 
+    /// Adds the lines of another program; of two with the same number the other's stays (MERGE).
+    ///
+    /// # Errors
+    /// OUT OF MEMORY if both together do not fit; nothing has changed then.
+    pub fn merge(&mut self, other: &Program) -> Result<(), ErrorCode> {
+        let mut merged = self.clone();
+        for (number, text) in other.lines() {
+            merged.enter(number, text);
+        }
+        if merged.bytes() > MEMORY {
+            return Err(ErrorCode::OutOfMemory);
+        }
+        merged.revision = self.revision + 1;
+        *self = merged;
+        Ok(())
+    }
+
     /// Numbers the lines anew from `start` in steps of `increment`, and every jump with them: behind GOTO, GOSUB,
     /// THEN, ELSE and RUN, in the lists of ON, and the line of INTSETUP. Jumps to lines that do not exist stay.
     ///
@@ -237,27 +254,6 @@ fn upper_case_keywords(text: &[u8]) -> Vec<u8> {
         }
     }
     upper
-}
-
-/// The lines of a text; they end with CR, LF, or CR LF.
-pub fn split_lines(text: &[u8]) -> impl Iterator<Item = &[u8]> {
-    // CR LF counts once: the LF ends nothing when the CR has.
-    let mut rest = Some(text);
-    std::iter::from_fn(move || {
-        let text = rest?;
-        let end = text.iter().position(|&byte| matches!(byte, b'\r' | b'\n'));
-        let Some(end) = end else {
-            rest = None;
-            return Some(text);
-        };
-        let behind = text.get(end..).unwrap_or_default();
-        let next = match behind {
-            [b'\r', b'\n', next @ ..] | [_, next @ ..] => next,
-            [] => &[],
-        };
-        rest = Some(next);
-        text.get(..end)
-    })
 }
 
 /// A text with its jumps changed from old numbers to new ones.
@@ -426,6 +422,25 @@ mod tests {
         let lines = (0..15_000).map(|line| format!("{line} REM {}\n", "X".repeat(70)));
         let fault = Program::from_typed(&lines.collect::<String>()).unwrap_err();
         assert_eq!(fault.error, ErrorCode::OutOfMemory);
+    }
+
+    #[test]
+    fn merged_programs_fit_or_stay_apart() {
+        let mut first = program("10 PRINT 1\n20 PRINT 2");
+        first.merge(&program("20 GOTO 10\n30 END")).unwrap();
+        assert_eq!(text(&first), "10 PRINT 1\n20 GOTO 10\n30 END\n");
+        assert_eq!(first.bytes(), counted(&first));
+        let large = |start: usize| {
+            let lines = (0..8_000).map(|line| format!("{} REM {}\n", start + line, "X".repeat(60)));
+            program(&lines.collect::<String>())
+        };
+        let (mut low, high) = (large(0), large(8_000));
+        let before = (low.bytes(), low.revision());
+        assert_eq!(low.merge(&high), Err(ErrorCode::OutOfMemory));
+        assert_eq!((low.bytes(), low.revision()), before);
+        // The same lines again take no more room.
+        assert_eq!(low.merge(&large(0)), Ok(()));
+        assert_eq!((low.bytes(), low.revision()), (before.0, before.1 + 1));
     }
 
     #[test]

@@ -4,14 +4,14 @@ use super::ast::{Name, VariableKind};
 use super::commands::device_line;
 use super::disks::FileName;
 use super::firmware::SAMPLE;
-use super::machine::Machine;
+use super::machine::{FAULTS, Machine, TELEGRAM_TIME};
 use super::program::{Program, STORED_LENGTH};
 use super::sysvars::SysVar;
 use super::value::Text;
-use super::{FACTORY_PASSWORD, Mc600, Mode};
+use super::{Mc600, Mode, password};
 use crate::controller::{
-    Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
-    Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
+    Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Output,
+    Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::language::latin1;
 use crate::serial::LineSettings;
@@ -53,7 +53,7 @@ pub(super) fn info() -> ControllerInfo {
         .map(signal)
         .to_vec(),
         wires: Machine::wires(),
-        faults: vec!["drive", "limit+", "limit-", "stall", "encoder", "estop"],
+        faults: FAULTS.to_vec(),
         keys: Vec::new(),
         sample: SAMPLE,
         sharing: Sharing::Alone,
@@ -80,7 +80,7 @@ impl Controller for Mc600 {
         self.next
     }
 
-    fn input(&mut self, _at: Nanos, input: Input) -> Result<(), Refused> {
+    fn input(&mut self, at: Nanos, input: Input) -> Result<(), Refused> {
         match input {
             Input::Frame { frame, .. } => {
                 if self.mode != Mode::Off {
@@ -88,7 +88,11 @@ impl Controller for Mc600 {
                 }
                 Ok(())
             }
-            Input::Wire { name, value } => self.machine.wire(&name, value).map_err(Refused),
+            Input::Wire { name, value } => {
+                let since = at.since(self.sampled);
+                let wired = self.machine.wire_at(&name, value, since);
+                wired.map_err(Refused)
+            }
             Input::Fault { kind, axis, active } => self
                 .machine
                 .fault(&kind, axis.as_deref(), active)
@@ -97,18 +101,25 @@ impl Controller for Mc600 {
                 self.machine.configure(&axis, &key, &value).map_err(Refused)
             }
             Input::Key { .. } => Err(Refused("mc600 has no panel".to_owned())),
-            // ServoBus telegrams come with the functions that read them.
-            Input::Telegram(_) => Ok(()),
+            Input::Telegram(telegram) => {
+                self.machine.receive(&telegram);
+                Ok(())
+            }
         }
     }
 
     fn sample(&mut self, now: Nanos, ports: &mut Ports) {
         self.samples += 1;
-        self.next = now + SAMPLE;
+        (self.sampled, self.next) = (now, now + SAMPLE);
         if self.mode != Mode::Off {
             self.firmware(now, ports);
         }
         self.machine.sample();
+        let mut sent = now;
+        for telegram in self.machine.send() {
+            sent += TELEGRAM_TIME;
+            ports.outputs.push((sent, Output::Telegram(telegram)));
+        }
         if self.mode != Mode::Off {
             self.console.transmit(now, self.next, ports);
         }
@@ -197,6 +208,10 @@ impl Controller for Mc600 {
                 true => DebugReply::Done,
                 false => DebugReply::Refused(format!("mc600 cannot set '{name}' to that")),
             },
+            Debug::Cam => match self.machine.cam_table() {
+                Some(table) => DebugReply::Cam(table),
+                None => DebugReply::Refused("no cam table has been used yet".to_owned()),
+            },
         }
     }
 
@@ -262,11 +277,8 @@ impl Controller for Mc600 {
             .kept()
             .map(|(name, bytes)| item(format!("B:{name}"), bytes))
             .collect();
-        if self.password != FACTORY_PASSWORD {
-            items.push(item(
-                PASSWORD_ITEM.to_owned(),
-                &latin1::bytes(&self.password),
-            ));
+        if self.password != password::FACTORY {
+            items.push(item(PASSWORD_ITEM.to_owned(), &self.password));
         }
         if event == Survives::Reload {
             let lost = self.disks.lost();
@@ -328,8 +340,11 @@ impl Mc600 {
     fn restore_item(&mut self, item: &MemoryItem) -> bool {
         match item.name.as_str() {
             PASSWORD_ITEM => {
-                self.password = latin1::text(&item.bytes);
-                true
+                let is_password = password::is_password(&item.bytes);
+                if is_password {
+                    self.password.clone_from(&item.bytes);
+                }
+                is_password
             }
             PROGRAM_ITEM => match Program::from_text(&item.bytes, STORED_LENGTH) {
                 Ok(program) => {
@@ -368,9 +383,14 @@ impl Mc600 {
         }
     }
 
-    /// System variables, and inputs and outputs by their short names.
+    /// System variables, mailboxes, and inputs and outputs by their short names.
     fn read_machine(&self, text: &str) -> Option<f64> {
         let lower = text.trim().to_ascii_lowercase();
+        let mailbox = lower.strip_prefix("can_data%(");
+        if let Some(number) = mailbox.and_then(|rest| rest.strip_suffix(')')) {
+            let data = self.machine.mailbox(number.trim().parse().ok()?);
+            return data.map(f64::from);
+        }
         let short = lower
             .strip_prefix("in")
             .or_else(|| lower.strip_prefix("out"));

@@ -182,43 +182,19 @@ impl SysVar {
             | VsSpeed | PhFlag | PhPosition | HmFlag | GvMaster | GvFeedback | GvEncoder
             | GvEncspeed | GvIn(_) | SlPosDemand | SlSpdDemand | GvStatus | GvError | GvWarning
             | GvAnin1 | GvAnin2 | GvTrjstat | GvLatch1 | GvLatch1n | GvLatch2 | GvLatch2n
-            | GvVelmot | GvCurmot | GvMflag | GvCompare | GvCapposf | GvCappos | GvCanin => true,
+            | GvVelmot | GvCurmot | GvMflag | GvCompare | GvCapposf | GvCappos | GvCanin
+            | GvCanout | CanData => true,
             GvUsvar(number) => number > 8,
             Mres | SmAcc | MvAcc | MvDec | MvSpeed | MvFlag | MinSpeed | GrRation | GrRatioid
             | GrAcc | GrSpeed | GrPrepost | CmNum | VxAcc | VxDec | VxSpeed | VxFlag | VsAcc
             | PhAcc | PhDec | PhSpeed | GvMmod | GvSmod | GvCommand | GvMonitor1 | GvMonitor2
-            | GvOut(_) | GvCapsel | GvCanout | CanData | CanFlag => false,
+            | GvOut(_) | GvCapsel | CanFlag => false,
         }
     }
 
     /// Whether it is an array.
     pub fn is_array(self) -> bool {
         self == SysVar::CanData
-    }
-
-    /// Whether the simulated device has what it stands for; the others are refused as not implemented.
-    pub fn is_in_this_part(self) -> bool {
-        use SysVar::*;
-        matches!(
-            self,
-            Mres | SmAcc
-                | SmFlag
-                | SmSpeed
-                | MvAcc
-                | MvDec
-                | MvSpeed
-                | MvFlag
-                | GvFeedback
-                | GvSmod
-                | SlPosDemand
-                | SlSpdDemand
-                | GvStatus
-                | GvCommand
-                | GvVelmot
-                | GvMflag
-                | GvIn(_)
-                | GvOut(_)
-        )
     }
 }
 

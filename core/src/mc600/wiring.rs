@@ -1,6 +1,7 @@
-//! What stands around an MC-600 on the bench: switches at its inputs, lamps at its outputs.
+//! What stands around an MC-600 on the bench: switches at its inputs, lamps at its outputs, what turns
+//! its master encoder, and voltages.
 
-use crate::catalog::{Handle, Lamps, Wired};
+use crate::catalog::{Handle, Lamps, Range, Wired};
 
 /// Inputs 0 to 7 are on the card, 8 to 11 on the drive, whose ENABLE is the last.
 pub const INPUTS: &[Wired] = &[
@@ -20,6 +21,13 @@ pub const INPUTS: &[Wired] = &[
         at: 1.0,
         ..input("ENABLE", "Input 12, ENABLE of the drive", "in12")
     },
+    knob("enc", "Master encoder", "encoder", 3000.0, 10.0, "rpm"),
+    Wired {
+        handle: Handle::Jog(&[-1000.0, -10.0, 10.0, 1000.0]),
+        ..input("jog", "Master encoder, counts", "encoder.counts")
+    },
+    knob("an1", "Analog input 1", "anin1", 10.0, 0.05, "V"),
+    knob("an2", "Analog input 2", "anin2", 10.0, 0.05, "V"),
 ];
 
 /// The place of ENABLE among the inputs.
@@ -30,6 +38,26 @@ pub const LAMPS: Lamps = Lamps {
     signal: "outputs",
     labels: &["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"],
 };
+
+/// From `-most` to `most`.
+const fn knob(
+    label: &'static str,
+    name: &'static str,
+    wire: &'static str,
+    most: f64,
+    step: f64,
+    unit: &'static str,
+) -> Wired {
+    Wired {
+        handle: Handle::Knob(Range {
+            from: -most,
+            to: most,
+            step,
+            unit,
+        }),
+        ..input(label, name, wire)
+    }
+}
 
 const fn input(label: &'static str, name: &'static str, wire: &'static str) -> Wired {
     Wired {

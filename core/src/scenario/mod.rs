@@ -41,7 +41,7 @@ const MOST_REPEATS: u32 = 1_000_000;
 /// Statements that a run may execute, unless told.
 const MOST_EXECUTED: u64 = 10_000_000;
 /// Controllers on the bench.
-const MOST_STATIONS: usize = 64;
+const MOST_STATIONS: usize = 128;
 /// Bytes that one console may have sent, and that `file get` may take.
 const MOST_OUTPUT: usize = 16 << 20;
 /// Statements that may wait for their time.

@@ -43,7 +43,7 @@ impl Source {
             Source::Variable(name) => match station.debug(Debug::Read(name.clone())) {
                 DebugReply::Value(value) => Ok(value),
                 DebugReply::Refused(message) => Err(message),
-                DebugReply::Done => Err(format!("{name} has no value")),
+                DebugReply::Done | DebugReply::Cam(_) => Err(format!("{name} has no value")),
             },
         }
     }

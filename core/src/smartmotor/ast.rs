@@ -233,7 +233,7 @@ pub enum Source {
     Length,
     /// `GETCHR`
     Character,
-    /// `DINA0`, `AINA1`: no such module is on the bench, they read 0.
+    /// `DINA0`, `AINA1`: no such module is on the bench, they read 0 (D148).
     ModuleInput,
 }
 
@@ -336,13 +336,6 @@ pub struct Channel {
     pub data_bits: u8,
     /// What comes in is data for GETCHR, not commands.
     pub data: bool,
-}
-
-/// The name of a variable: `a`, `bb`, `ccc`.
-pub fn variable_name(number: u16) -> String {
-    let letter = char::from(b'a' + u8::try_from(number % 26).unwrap_or(0));
-    let letters = usize::from(number / 26) + 1;
-    letter.to_string().repeat(letters)
 }
 
 /// The number of a variable: `a` is 0, `aa` 26, `aaa` 52.

@@ -1,12 +1,12 @@
 //! Compiled programs: fixed-size operations on a file of 32-bit registers.
 //!
 //! Every operation carries a cost in statements. Operations in the middle of a statement cost nothing, the last one
-//! costs 1: so the interpreter's only hook is one counter, and a program can only be held between statements.
+//! costs 1 (a LOOP that tests its WHILE's condition at once costs both): so the interpreter's only hook is one counter, and a program can only be held between statements.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target};
+use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target, VARIABLES};
 use super::motor::{Command, Flag};
 
 /// Registers: variables, temporaries, constants of the host's command, constants of the program. A power of two.
@@ -19,6 +19,8 @@ pub const TEMPORARY: u16 = 80;
 pub const HOST_CONSTANTS: u16 = 96;
 /// The first constant of the program; what finds no room is loaded by an operation of its own.
 pub const PROGRAM_CONSTANTS: u16 = 352;
+
+const _: () = assert!(VARIABLES <= TEMPORARY);
 
 /// One operation. `a` and `b` are operands and `c` the result unless [`Code`] says otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,13 +48,42 @@ impl Op {
             c,
         }
     }
+
+    /// A conditional jump to `target` where this one stays; `None` if it is none.
+    pub fn opposite(self, target: u16) -> Option<Op> {
+        let (code, a, b) = match self.code {
+            Code::JumpIfZero => (Code::JumpIfNotZero, self.a, self.b),
+            Code::JumpIfNotZero => (Code::JumpIfZero, self.a, self.b),
+            Code::JumpIfEqual => (Code::JumpIfNotEqual, self.a, self.b),
+            Code::JumpIfNotEqual => (Code::JumpIfEqual, self.a, self.b),
+            Code::JumpIfLess => (Code::JumpIfLessEqual, self.b, self.a),
+            Code::JumpIfLessEqual => (Code::JumpIfLess, self.b, self.a),
+            _ => return None,
+        };
+        Some(Op::new(code, a, b, target))
+    }
+
+    /// The operation as the statement says it: a LOOP that tests its WHILE's condition costs both, and goes behind the
+    /// WHILE; taken apart it goes to the WHILE.
+    pub fn apart(self) -> Op {
+        match self.cost {
+            LOOP_AND_WHILE => Op {
+                cost: 1,
+                ..Op::new(Code::Jump, 0, 0, self.c.saturating_sub(1))
+            },
+            _ => self,
+        }
+    }
 }
+
+/// What a LOOP costs that tests its WHILE's condition; nothing else costs as much.
+pub const LOOP_AND_WHILE: u8 = 2;
 
 /// What an operation does; `r` is a register.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Code {
-    /// `rc = ra + rb`, round the 32 bits; that sets Bd
+    /// `rc = ra + rb`, round the 32 bits; that sets Bd (D135)
     Add,
     /// `rc = ra - rb`
     Subtract,
@@ -80,14 +111,16 @@ pub enum Code {
     Jump,
     /// Goes to `c` if `ra` is zero.
     JumpIfZero,
-    /// Goes to `c` unless `ra == rb`.
-    JumpUnlessEqual,
-    /// Goes to `c` unless `ra != rb`.
-    JumpUnlessNotEqual,
-    /// Goes to `c` unless `ra < rb`.
-    JumpUnlessLess,
-    /// Goes to `c` unless `ra <= rb`.
-    JumpUnlessLessEqual,
+    /// Goes to `c` if `ra` is not zero.
+    JumpIfNotZero,
+    /// Goes to `c` if `ra == rb`.
+    JumpIfEqual,
+    /// Goes to `c` if `ra != rb`.
+    JumpIfNotEqual,
+    /// Goes to `c` if `ra < rb`.
+    JumpIfLess,
+    /// Goes to `c` if `ra <= rb`.
+    JumpIfLessEqual,
     /// Calls `c`.
     Gosub,
     /// Returns.

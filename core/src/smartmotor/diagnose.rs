@@ -9,19 +9,15 @@ use super::keywords;
 use super::lexer::{Token, TokenKind, tokens};
 use super::parser::parse_line;
 use super::store::strip;
-use crate::language::{Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
+use crate::language::{
+    Cure, Diagnostic, Highlight, HighlightClass, Severity, Span, latin1, split_lines,
+};
 
 /// Everything that can be said about a program's text, in the order of its lines.
 pub fn diagnose(text: &str) -> Vec<Diagnostic> {
     let source = latin1::bytes(text);
     let mut found = strangers(text);
     let strange: Vec<u32> = found.iter().map(|found| found.line).collect();
-    let (_, problems) = compile(&source, None);
-    // A line with characters that the motor does not have is not judged further.
-    let problems = problems
-        .into_iter()
-        .filter(|problem| strange.binary_search(&problem.line).is_err());
-    found.extend(problems.map(diagnostic));
     let bytes = strip(&source).text.len();
     if bytes > PROGRAM_BYTES {
         found.push(diagnostic(Problem {
@@ -31,6 +27,13 @@ pub fn diagnose(text: &str) -> Vec<Diagnostic> {
             cause: format!("The motor keeps {PROGRAM_BYTES} bytes, and this program has {bytes}."),
             cure: None,
         }));
+    } else {
+        let (_, problems) = compile(&source, None);
+        // A line with characters that the motor does not have is not judged further.
+        let judged = problems
+            .into_iter()
+            .filter(|problem| strange.binary_search(&problem.line).is_err());
+        found.extend(judged.map(diagnostic));
     }
     found.sort_by_key(|found| (found.line, found.span));
     found
@@ -50,7 +53,9 @@ fn diagnostic(problem: Problem) -> Diagnostic {
 /// Characters that the motor does not have.
 fn strangers(text: &str) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    for (index, line) in (0..).zip(text.split('\n')) {
+    for (index, line) in (0..).zip(split_lines(text.as_bytes())) {
+        // A line end is never part of another character.
+        let line = std::str::from_utf8(line).unwrap_or_default();
         for (position, character) in line.chars().enumerate() {
             if latin1::byte(character).is_some() {
                 continue;

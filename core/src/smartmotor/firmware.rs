@@ -5,7 +5,7 @@ use crate::time::Nanos;
 
 pub use super::motor::SAMPLE;
 
-/// Firmware time of one cost, in ns: a statement takes a servo sample ("Rates and units").
+/// Firmware time of one cost, in ns: a statement takes a servo sample ("Rates and units", D130).
 pub const COST_UNIT: i64 = 245_760;
 /// The most firmware time that one sample holds: 10,000 statements.
 pub const CREDIT_A_SAMPLE: Nanos = Nanos(2_457_600_000);

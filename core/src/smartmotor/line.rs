@@ -53,7 +53,7 @@ impl LineFlags {
     }
 }
 
-/// The motor's end of the host's line, and of channel 1, to which nothing is connected.
+/// The motor's end of the host's line, and of channel 1, to which nothing is connected (D148).
 #[derive(Debug, Clone)]
 pub struct Line {
     receiver: Receiver,
@@ -170,7 +170,7 @@ impl Line {
             && second.is_none_or(|second| second.pending() <= PENDING)
     }
 
-    /// Sends what a statement of the host or of the program prints.
+    /// Sends what a statement of the host or of the program prints; SILENT keeps back the program's (D145).
     pub fn print(&mut self, channel: u8, bytes: &[u8], host: bool) {
         match (channel, &mut self.second) {
             (0, _) if !self.silent || host => self.send(bytes),

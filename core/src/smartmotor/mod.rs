@@ -4,7 +4,7 @@
 //! around the interpreter, `lexer`, `parser` and `compile` make operations of text, `vm` runs them on `memory`, `store`
 //! keeps the program, `motor` is everything behind it.
 
-pub mod ast;
+mod ast;
 mod code;
 mod compile;
 mod debugger;
@@ -17,7 +17,7 @@ mod lexer;
 mod line;
 mod memory;
 pub mod motor;
-pub mod parser;
+mod parser;
 mod station;
 pub mod store;
 mod vm;
@@ -37,7 +37,7 @@ use motor::{Flag, Motor};
 use store::{Store, strip};
 use vm::{Vm, World};
 
-/// What can be given when a motor is put on the bench.
+/// What can be given when a motor is put on the bench (D151).
 pub const OPTIONS: &[Opt] = &[
     Opt {
         key: "speed",
@@ -253,7 +253,7 @@ impl SmartMotor {
                     self.vm.set_command(compile_command(&statements));
                 }
                 Some(Request::Program(program)) => {
-                    let text = program.map(|program| strip(&with_line_feeds(&program)).text);
+                    let text = program.map(|program| strip(&program).text);
                     if !text.is_some_and(|text| self.download(text)) {
                         self.motor.raise(Flag::Checksum);
                     }
@@ -371,10 +371,4 @@ impl SmartMotor {
     fn transmit(&mut self, now: Nanos, ports: &mut Ports) {
         self.line.transmit(now, self.next, ports);
     }
-}
-
-/// A program comes with CR, LF or both between its lines.
-fn with_line_feeds(program: &[u8]) -> Vec<u8> {
-    let line_end = |&byte: &u8| if byte == b'\r' { b'\n' } else { byte };
-    program.iter().map(line_end).collect()
 }

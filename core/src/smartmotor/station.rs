@@ -218,6 +218,7 @@ impl Controller for SmartMotor {
                 true => DebugReply::Done,
                 false => DebugReply::Refused(format!("smartmotor cannot set '{name}' to that")),
             },
+            Debug::Cam => DebugReply::Refused("a SmartMotor's cam is drawn from aw[]".to_owned()),
         }
     }
 
@@ -228,15 +229,16 @@ impl Controller for SmartMotor {
             return refuse(0, "smartmotor has one program, and no files".to_owned());
         }
         let source = latin1::bytes(text);
+        let stripped = strip(&source);
+        if stripped.text.len() > PROGRAM_BYTES {
+            return refuse(0, format!("a program has at most {PROGRAM_BYTES} bytes"));
+        }
         let (_, problems) = compile(&source, self.without);
         if let Some(problem) = problems.first() {
             let message = format!("{}: {}", problem.name, problem.cause);
             return refuse(problem.line, message);
         }
-        let stripped = strip(&source);
-        if !self.download(stripped.text) {
-            return refuse(0, format!("a program has at most {PROGRAM_BYTES} bytes"));
-        }
+        self.download(stripped.text);
         Ok(Revision {
             number: self.store.revision,
             lines: stripped.lines,
@@ -274,6 +276,8 @@ impl Controller for SmartMotor {
 
     fn restore(&mut self, memory: &Memory) {
         self.unknown.clear();
+        // As if it had been there at power-up: the program starts when it would have.
+        let start_at = self.start_at;
         for item in &memory.items {
             let known = memory.version == MEMORY_VERSION
                 && match item.name.as_str() {
@@ -288,6 +292,7 @@ impl Controller for SmartMotor {
                 self.unknown.push(item.clone());
             }
         }
+        self.start_at = start_at;
     }
 }
 

@@ -4,6 +4,7 @@ use super::code::Image;
 use super::compile::compile;
 use super::firmware::PROGRAM_BYTES;
 use super::lexer::{TokenKind, tokens};
+use crate::language::split_lines;
 
 /// What a motor holds that has no program: a download of END alone leaves the same.
 const EMPTY: &[u8] = b"END\n";
@@ -31,7 +32,7 @@ pub fn strip(source: &[u8]) -> Stripped {
     let mut text = Vec::new();
     let mut lines = Vec::new();
     let mut last = 0u32;
-    for line in source.split(|&byte| byte == b'\n') {
+    for line in split_lines(source) {
         let start = text.len();
         let mut behind = None;
         for token in tokens(line) {

@@ -242,6 +242,7 @@ impl Controller for Unidex3 {
                 }
                 _ => DebugReply::Refused(format!("unidex3 cannot set '{name}' to that")),
             },
+            Debug::Cam => DebugReply::Refused("unidex3 has no cam".to_owned()),
         }
     }
 

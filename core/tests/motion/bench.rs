@@ -2,10 +2,14 @@
 
 use motionbench_core::mc600::machine::{Machine, MotionCommand};
 use motionbench_core::mc600::sysvars::SysVar;
+use motionbench_core::mc600::{keywords, motion_calls};
 
 pub(crate) const IDLE: i32 = 1 << 10;
 pub(crate) const SPEED: i32 = 1 << 11;
 pub(crate) const MOVE: i32 = 1 << 13;
+pub(crate) const GEAR: i32 = 1 << 12;
+pub(crate) const CAM: i32 = 1 << 14;
+pub(crate) const HOME: i32 = 1 << 15;
 pub(crate) const PLANNER_BITS: i32 = 0xFC00;
 
 /// A machine that was just switched on.
@@ -22,6 +26,16 @@ pub(crate) fn enabled() -> Machine {
     run(&mut machine, 5);
     assert_eq!(machine.get(SysVar::GvStatus), IDLE | 0b10_0111);
     machine
+}
+
+/// A call as a program makes it.
+pub(crate) fn call(machine: &mut Machine, word: &str, arguments: &[i32]) {
+    let mut four = [0.0; 4];
+    four.iter_mut()
+        .zip(arguments)
+        .for_each(|(place, &argument)| *place = f64::from(argument));
+    let keyword = keywords::keyword(word).unwrap();
+    machine.command(motion_calls::command(keyword, four).unwrap().unwrap());
 }
 
 /// Some samples.

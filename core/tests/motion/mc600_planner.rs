@@ -412,7 +412,7 @@ fn what_does_not_exist_is_refused_in_one_line() {
     let mut machine = powered();
     let refusals = [
         machine.wire("in13", 1.0),
-        machine.wire("encoder", 1.0),
+        machine.wire("motor", 1.0),
         machine.wire("in0", f64::NAN),
         machine.fault("fire", None, true),
         machine.fault("drive", Some("y"), true),

@@ -22,6 +22,8 @@ extern "C" {
     #[wasm_bindgen(method, setter)]
     fn set_words(this: &ProgramEditor, words: &JsValue);
     #[wasm_bindgen(method, setter)]
+    fn set_capitals(this: &ProgramEditor, capitals: &str);
+    #[wasm_bindgen(method, setter)]
     fn set_highlight(this: &ProgramEditor, highlight: &Function);
     #[wasm_bindgen(method, setter)]
     fn set_problems(this: &ProgramEditor, problems: &Function);
@@ -76,10 +78,14 @@ impl ProgramEditor {
         js_sys::Reflect::has(self, &"start".into()).unwrap_or(false)
     }
 
-    /// The words of a kind of controller, from the next text that is shown.
+    /// The words of a kind of controller, and the letters that it wants, from the next text that is shown.
     pub(super) fn use_words(&self, kind: &Kind) {
         let words = serde_json::to_string(&(kind.keywords)()).unwrap_or_default();
         self.set_words(&parsed(&words));
+        self.set_capitals(match kind.text.ignores_case {
+            true => "characters",
+            false => "none",
+        });
     }
 
     /// Shows the editor with a text, after [`ProgramEditor::use_words`]. The answers stay as long as the page does.

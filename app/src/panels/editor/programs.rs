@@ -4,12 +4,31 @@
 use leptos::prelude::*;
 
 use super::element::ProgramEditor;
+use crate::panels::popover::{self, Popover};
 use crate::state::Store;
 use crate::state::editor::programs::Difference;
 use crate::state::editor::{Agreement, EditorState};
 
 /// Lines that are compared in one view.
 const MOST_COMPARED: usize = 200;
+
+/// What goes from one program to the other without being started.
+#[component]
+pub(super) fn ProgramMenu(store: Store) -> impl IntoView {
+    let has_listing = Memo::new(move |_| store.editor.with(|editor| editor.listing().is_some()));
+    view! {
+        <Popover label=|| "More" name="More of the program">
+            <div on:click=popover::close>
+                <button type="button" class="item" title="Replaces the controller's program by this one"
+                    on:click=move |_| store.load_program(false)>"Send to the controller"</button>
+                <button type="button" class="item" title="Replaces this program by the controller's; undo brings it back"
+                    disabled=move || !has_listing.get() on:click=move |_| store.take_program()>
+                    "Take the controller's"
+                </button>
+            </div>
+        </Popover>
+    }
+}
 
 /// The choice between the two programs, while they differ.
 #[component]

@@ -1,14 +1,11 @@
 //! What can be done with the terminal as a whole, and what it says of that.
 
-use leptos::ev;
 use leptos::prelude::*;
 use leptos::task::spawn_local;
-use leptos::wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Element, HtmlElement};
 
-use super::{file, line};
-use crate::panels::popover::Popover;
+use super::{disks, file, line};
+use crate::panels::popover::{self, Popover};
 use crate::protocol::ToWorker;
 use crate::state::device::line_words;
 use crate::state::terminal::Terminal;
@@ -20,6 +17,8 @@ use crate::storage::files;
 pub(super) fn Tools(store: Store) -> impl IntoView {
     let line_open = RwSignal::new(false);
     let file_open = RwSignal::new(false);
+    let disks_open = RwSignal::new(false);
+    let has_disks = Memo::new(move |_| !store.kind().disks.is_empty());
     let settings = Memo::new(move |_| {
         let line = store.device.with(|device| device.line);
         line.as_ref().map_or_else(String::new, line_words)
@@ -33,9 +32,14 @@ pub(super) fn Tools(store: Store) -> impl IntoView {
             <button type="button" class="tool" aria-haspopup="dialog" on:click=move |_| file_open.set(true)>
                 "Send file"
             </button>
+            <Show when=move || has_disks.get()>
+                <button type="button" class="tool" aria-haspopup="dialog" on:click=move |_| disks_open.set(true)>
+                    "Disks"
+                </button>
+            </Show>
             <Capture store />
             <Popover label=|| "More" name="More of the terminal">
-                <div on:click=close>
+                <div on:click=popover::close>
                     <button type="button" class="item" on:click=move |_| copy_all(store)>"Copy all"</button>
                     <button type="button" class="item" on:click=move |_| store.clear_terminal()>"Clear"</button>
                     <button type="button" class="item" title="Holds the line low for a moment"
@@ -45,18 +49,7 @@ pub(super) fn Tools(store: Store) -> impl IntoView {
         </div>
         <line::LineDialog store open=line_open />
         <file::FileDialog store open=file_open />
-    }
-}
-
-/// Closes what the chosen item is in.
-fn close(event: ev::MouseEvent) {
-    let target = event
-        .target()
-        .and_then(|target| target.dyn_into::<Element>().ok());
-    let popover = target.and_then(|target| target.closest("[popover]").ok().flatten());
-    if let Some(popover) = popover.and_then(|popover| popover.dyn_into::<HtmlElement>().ok()) {
-        // One that is closed already stays closed.
-        let _ = popover.hide_popover();
+        <disks::DisksDialog store open=disks_open />
     }
 }
 

@@ -67,6 +67,9 @@ impl Compiler<'_> {
                 | Function::Len
                 | Function::Mod
                 | Function::Outsta
+                | Function::CanData
+                | Function::Sdoerror
+                | Function::Sdoread
                 | Function::Sgn => Type::Integer,
                 _ => Type::Real,
             },

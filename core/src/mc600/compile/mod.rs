@@ -1,6 +1,7 @@
 //! From statements to operations: variables become registers, line numbers become places, and what cannot work becomes
 //! an operation that raises the device's error when it is reached.
 
+mod calls;
 mod expressions;
 mod statements;
 

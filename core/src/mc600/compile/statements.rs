@@ -5,8 +5,6 @@ use super::super::ast::{
 };
 use super::super::code::{ANY, Code, Op, SystemCall};
 use super::super::firmware::ErrorCode;
-use super::super::keywords::Keyword;
-use super::super::motion_calls;
 use super::expressions::Type;
 use super::{Compiler, OpenWhile, Refusal, at, mismatch};
 use crate::language::Span;
@@ -53,6 +51,7 @@ impl Compiler<'_> {
             StatementKind::Goto(to) => self.go(Code::Jump, *to),
             StatementKind::Gosub(to) => self.go(Code::Gosub, *to),
             StatementKind::Return => self.plain(Code::Return),
+            StatementKind::Reti => self.plain(Code::ReturnFromInterrupt),
             StatementKind::On {
                 selector,
                 gosub,
@@ -139,6 +138,14 @@ impl Compiler<'_> {
             StatementKind::Files(mask) => self.file_call(SystemCall::Files, mask.as_ref())?,
             StatementKind::Save(name) => self.file_call(SystemCall::Save, name.as_ref())?,
             StatementKind::Load(name) => self.file_call(SystemCall::Load, Some(name))?,
+            StatementKind::Merge(name) => self.file_call(SystemCall::Merge, Some(name))?,
+            StatementKind::Copy { from, to } => {
+                let [from, to] = [self.text(from)?, self.text(to)?];
+                self.system(SystemCall::Copy, from, to);
+            }
+            StatementKind::Erase(mask) => self.file_call(SystemCall::Erase, Some(mask))?,
+            StatementKind::Format(disk) => self.file_call(SystemCall::Format, Some(disk))?,
+            StatementKind::Password => self.system(SystemCall::Password, 0, 0),
             _ => {}
         }
         Ok(())
@@ -477,24 +484,6 @@ impl Compiler<'_> {
             let count = u16::try_from(sizes.len()).unwrap_or(u16::MAX);
             self.emit(Op::new(Code::Dim, array, first, count));
         }
-        self.charge();
-        Ok(())
-    }
-
-    fn call(&mut self, keyword: Keyword, arguments: &[Expr], span: Span) -> Result<(), Refusal> {
-        let Some(number) = motion_calls::number(keyword) else {
-            let cause = format!("{} does not work yet", keyword.word());
-            return Err(Refusal {
-                error: ErrorCode::NotImplemented,
-                cause,
-                span,
-            });
-        };
-        let argument = match arguments.first() {
-            Some(argument) => self.number(argument)?.register,
-            None => 0,
-        };
-        self.emit(Op::new(Code::Motion, number, argument, 0));
         self.charge();
         Ok(())
     }

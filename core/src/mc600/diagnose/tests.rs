@@ -41,7 +41,7 @@ fn a_good_program_is_left_alone() {
 #[test]
 fn errors_of_a_line_come_with_cause_and_cure() {
     check(
-        "10 PRINT (1+2\n20 SCORE=1\n30 MGEAR(1): PRINT#1\n40 PRINT \"A\"+1",
+        "10 PRINT (1+2\n20 SCORE=1\n30 GET A$: PRINT#1\n40 PRINT \"A\"+1",
         &[
             (
                 0,
@@ -58,7 +58,7 @@ fn errors_of_a_line_come_with_cause_and_cure() {
             (
                 2,
                 "?NOT IMPLEMENTED ERROR",
-                "MGEAR: It is not simulated yet.",
+                "GET: The device itself does not implement it.",
                 None,
             ),
             (

@@ -8,7 +8,6 @@ use crate::mc600::ast::{BinaryOp, Expr, ExprKind, Function, Name, Target, UnaryO
 use crate::mc600::firmware::{ErrorCode, PARENTHESES};
 use crate::mc600::keywords::Keyword;
 use crate::mc600::lexer::TokenKind;
-use crate::mc600::sysvars::SysVar;
 use crate::number::{self, Constant};
 
 // How tightly operators bind, the loosest first; one level goes from left to right.
@@ -66,6 +65,8 @@ fn function(keyword: Keyword) -> Option<(Function, usize, usize)> {
         Keyword::Outsta => (Function::Outsta, 0, 0),
         Keyword::RightS => (Function::RightS, 2, 2),
         Keyword::Rnd => (Function::Rnd, 1, 1),
+        Keyword::Sdoerror => (Function::Sdoerror, 0, 0),
+        Keyword::Sdoread => (Function::Sdoread, 1, 1),
         Keyword::Sgn => (Function::Sgn, 1, 1),
         Keyword::Sin => (Function::Sin, 1, 1),
         Keyword::Sqr => (Function::Sqr, 1, 1),
@@ -145,8 +146,13 @@ impl Parser<'_> {
                 Ok(Expr { span, kind })
             }
             Keyword::System(variable) => {
-                self.system_variable(variable)?;
-                let kind = ExprKind::System(variable);
+                self.next += 1;
+                let kind = if variable.is_array() {
+                    ExprKind::Call(Function::CanData, self.arguments(keyword, 1, 1)?)
+                } else {
+                    ExprKind::System(variable)
+                };
+                let span = span.to(self.behind());
                 Ok(Expr { span, kind })
             }
             _ if keyword.is_absent() => Err(Fault::NotImplemented(keyword)),
@@ -279,15 +285,6 @@ impl Parser<'_> {
         Ok(list)
     }
 
-    /// Takes a system variable that is known and simulated.
-    fn system_variable(&mut self, variable: SysVar) -> Parsed<()> {
-        if !variable.is_in_this_part() {
-            return Err(Fault::NotImplemented(Keyword::System(variable)));
-        }
-        self.next += 1;
-        Ok(())
-    }
-
     fn variable(&mut self, kind: VariableKind) -> Parsed<Expr> {
         let start = self.here();
         let name = self.name(kind);
@@ -336,7 +333,7 @@ impl Parser<'_> {
                 })
             }
             Some(TokenKind::Keyword(Keyword::System(variable))) => {
-                self.system_variable(variable)?;
+                self.next += 1;
                 if variable.is_read_only() {
                     let cause = format!("{} can only be read.", variable.word());
                     return Err(Fault::syntax(span, cause));

@@ -2,6 +2,7 @@
 //! its error when it is reached. Types are the compiler's affair.
 
 mod expressions;
+mod files;
 mod statements;
 #[cfg(test)]
 mod tests;

@@ -4,20 +4,11 @@ use super::expressions::is_function;
 use super::{Fault, Parsed, Parser};
 use crate::language::Span;
 use crate::mc600::ast::{
-    DataItem, Expr, ExprKind, LineRange, LineRef, Name, PrintItem, Statement, StatementKind,
-    Target, VariableKind,
+    DataItem, Expr, LineRange, LineRef, Name, PrintItem, Statement, StatementKind, Target,
 };
 use crate::mc600::keywords::Keyword;
-use crate::mc600::lexer::{TokenKind, is_blank, read_line_number};
-
-/// How many arguments a call takes that is a statement by itself.
-fn call_arguments(keyword: Keyword) -> Option<usize> {
-    match keyword {
-        Keyword::Mspeed | Keyword::Mmove | Keyword::Mimove | Keyword::Outw => Some(1),
-        Keyword::Midle | Keyword::Mclrfault | Keyword::Mdrven | Keyword::Mdrvdis => Some(0),
-        _ => None,
-    }
-}
+use crate::mc600::lexer::{TokenKind, read_line_number};
+use crate::mc600::motion_calls;
 
 impl Parser<'_> {
     pub(super) fn statement_kind(&mut self) -> Parsed<StatementKind> {
@@ -45,6 +36,7 @@ impl Parser<'_> {
             Keyword::Goto | Keyword::GoTo => self.jump().map(StatementKind::Goto),
             Keyword::Gosub => self.jump().map(StatementKind::Gosub),
             Keyword::Return => Ok(StatementKind::Return),
+            Keyword::Reti => Ok(StatementKind::Reti),
             Keyword::On => self.on(),
             Keyword::If => self.if_then(),
             Keyword::For => self.for_to(),
@@ -78,12 +70,17 @@ impl Parser<'_> {
             Keyword::Save if self.at_end() => Ok(StatementKind::Save(None)),
             Keyword::Save => Ok(StatementKind::Save(Some(self.expression()?))),
             Keyword::Load => self.expression().map(StatementKind::Load),
+            Keyword::Merge => self.expression().map(StatementKind::Merge),
+            Keyword::Copy => self.copy(),
+            Keyword::Erase => self.needed_mask().map(StatementKind::Erase),
+            Keyword::Format => self.needed_mask().map(StatementKind::Format),
+            Keyword::Password => Ok(StatementKind::Password),
             _ => self.call(keyword, span),
         }
     }
 
     fn call(&mut self, keyword: Keyword, span: Span) -> Parsed<StatementKind> {
-        if let Some(count) = call_arguments(keyword) {
+        if let Some(count) = motion_calls::arguments(keyword) {
             let arguments = self.arguments(keyword, count, count)?;
             return Ok(StatementKind::Call { keyword, arguments });
         }
@@ -434,41 +431,6 @@ impl Parser<'_> {
         };
         let number = |line: LineRef| line.number;
         Ok((start.map(number), increment.map(number)))
-    }
-
-    /// A file mask: a string expression, or bare as the manual's file system section writes it (`FILES *.TXT`). A bare
-    /// mask ends at a blank or a colon, but for the colon behind a disk's letter.
-    fn mask(&mut self) -> Parsed<Option<Expr>> {
-        let expression = match self.peek() {
-            Some(TokenKind::Text | TokenKind::Name(VariableKind::String)) => true,
-            Some(TokenKind::Keyword(keyword)) => {
-                is_function(keyword) && keyword.word().ends_with('$')
-            }
-            None => return Ok(None),
-            _ if self.at_end() => return Ok(None),
-            _ => false,
-        };
-        if expression {
-            return self.expression().map(Some);
-        }
-        let start = self.here().start as usize;
-        let text = self.line.get(start..).unwrap_or_default();
-        let disk = match text {
-            [letter, b':', ..] if letter.is_ascii_alphabetic() => 2,
-            _ => 0,
-        };
-        let length = text
-            .iter()
-            .skip(disk)
-            .position(|&byte| byte == b':' || is_blank(byte))
-            .map_or(text.len(), |length| disk + length);
-        let span = Span::new(start, start + length);
-        while self.next < self.tokens.len() && self.here().start < span.end {
-            self.next += 1;
-        }
-        // LIST shows keywords in it in upper case, and files have no case.
-        let kind = ExprKind::Text(span.of(self.line).to_ascii_uppercase());
-        Ok(Some(Expr { span, kind }))
     }
 }
 

@@ -104,21 +104,24 @@ impl Vm {
             }
         }
         let line = self.answer.rest.take().unwrap_or_default();
-        let (field, rest) = split_field(&line);
-        if op.code == Code::InputString {
-            let text = Text::from_slice(&field);
-            self.set_string(op.c, text);
-        } else {
-            match whole_number(&field) {
-                Some(value) => self.set_register(op.c, in_range(value)?),
-                None => {
-                    self.say(REDO);
-                    return Ok(Flow::Jump(self.answer.statement));
-                }
+        let field = Field::first(&line);
+        let number = whole_number(&field.text).filter(|_| !field.quoted);
+        match number {
+            _ if field.torn => return Ok(self.redo()),
+            _ if op.code == Code::InputString => {
+                self.set_string(op.c, Text::from_slice(&field.text));
             }
+            Some(value) => self.set_register(op.c, in_range(value)?),
+            None => return Ok(self.redo()),
         }
-        self.answer.rest = rest;
+        self.answer.rest = field.rest;
         Ok(Flow::Next)
+    }
+
+    /// Asks for everything again.
+    fn redo(&mut self) -> Flow {
+        self.say(REDO);
+        Flow::Jump(self.answer.statement)
     }
 
     fn read(&mut self, op: Op) -> Result<Flow, ErrorCode> {
@@ -153,35 +156,44 @@ fn whole_number(text: &[u8]) -> Option<f64> {
     (length == text.len()).then(|| constant.real())
 }
 
-/// The first field of a line that was typed, and what stands behind its comma. Quotes keep commas and blanks.
-fn split_field(line: &[u8]) -> (Vec<u8>, Option<Vec<u8>>) {
-    let line = line.trim_ascii_start();
-    if let Some(quoted) = line.strip_prefix(b"\"") {
-        let end = quoted
-            .iter()
-            .position(|&byte| byte == b'"')
-            .unwrap_or(quoted.len());
-        let field = quoted.get(..end).unwrap_or_default().to_vec();
-        let behind = quoted.get(end + 1..).unwrap_or_default();
-        let comma = behind.iter().position(|&byte| byte == b',');
-        return (
-            field,
-            comma
-                .and_then(|comma| behind.get(comma + 1..))
-                .map(<[u8]>::to_vec),
-        );
-    }
-    match line.iter().position(|&byte| byte == b',') {
-        Some(comma) => {
-            let field = line
-                .get(..comma)
-                .unwrap_or_default()
-                .trim_ascii_end()
-                .to_vec();
-            (field, line.get(comma + 1..).map(<[u8]>::to_vec))
+/// The first field of a line that was typed. Quotes keep commas and blanks.
+#[derive(Debug, PartialEq)]
+struct Field {
+    text: Vec<u8>,
+    /// It stood in quotes, and is no number (D235).
+    quoted: bool,
+    /// Something stands behind the closing quote.
+    torn: bool,
+    /// What stands behind its comma.
+    rest: Option<Vec<u8>>,
+}
+
+impl Field {
+    fn first(line: &[u8]) -> Field {
+        let line = line.trim_ascii_start();
+        let quoted = line.strip_prefix(b"\"");
+        let (text, behind) = match quoted {
+            Some(inner) => split_at(inner, b'"'),
+            None => (line, Some(line)),
+        };
+        let (before, rest) = split_at(behind.unwrap_or_default(), b',');
+        let text = match quoted {
+            Some(_) => text,
+            None => before.trim_ascii_end(),
+        };
+        Field {
+            text: text.to_vec(),
+            quoted: quoted.is_some(),
+            torn: quoted.is_some() && !before.trim_ascii().is_empty(),
+            rest: rest.map(<[u8]>::to_vec),
         }
-        None => (line.trim_ascii_end().to_vec(), None),
     }
+}
+
+/// What stands before the first `mark`, and what stands behind it.
+fn split_at(text: &[u8], mark: u8) -> (&[u8], Option<&[u8]>) {
+    let mut parts = text.splitn(2, |&byte| byte == mark);
+    (parts.next().unwrap_or_default(), parts.next())
 }
 
 #[cfg(test)]
@@ -190,16 +202,23 @@ mod tests {
 
     #[test]
     fn fields_end_at_commas_outside_quotes() {
-        let field = |line: &str| {
-            let (field, rest) = split_field(line.as_bytes());
-            (
-                String::from_utf8(field).unwrap(),
-                rest.map(|rest| String::from_utf8(rest).unwrap()),
-            )
-        };
-        assert_eq!(field(" a b , c"), ("a b".into(), Some(" c".into())));
-        assert_eq!(field("\"a, b\" , c"), ("a, b".into(), Some(" c".into())));
-        assert_eq!(field("a,"), ("a".into(), Some(String::new())));
-        assert_eq!(field("a"), ("a".into(), None));
+        for (line, text, quoted, torn, rest) in [
+            (" a b , c", "a b", false, false, Some(" c")),
+            ("\"a, b\" , c", "a, b", true, false, Some(" c")),
+            ("\" a", " a", true, false, None),
+            ("\"a\"b, c", "a", true, true, Some(" c")),
+            ("a\"b\"", "a\"b\"", false, false, None),
+            ("a,", "a", false, false, Some("")),
+            ("a", "a", false, false, None),
+            ("", "", false, false, None),
+        ] {
+            let expected = Field {
+                text: text.into(),
+                quoted,
+                torn,
+                rest: rest.map(Into::into),
+            };
+            assert_eq!(Field::first(line.as_bytes()), expected, "{line}");
+        }
     }
 }

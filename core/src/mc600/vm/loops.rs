@@ -21,9 +21,9 @@ pub enum Frame {
         /// The first operation of the body.
         body: u32,
     },
-    /// GOSUB.
+    /// GOSUB, or an interrupt.
     Gosub {
-        /// Where RETURN goes.
+        /// Where RETURN or RETI goes.
         back: u32,
     },
 }
@@ -55,10 +55,11 @@ impl Vm {
                     value = floor_in_range(value)?;
                 }
                 self.set_register(innermost, value);
-                let done = if step >= 0.0 {
+                // A step of zero loops forever (STEP).
+                let done = if step > 0.0 {
                     value > limit
                 } else {
-                    value < limit
+                    step < 0.0 && value < limit
                 };
                 if !done {
                     return Ok(body);
@@ -133,6 +134,11 @@ impl Vm {
     pub(super) fn give_back(&mut self) -> Result<u32, ErrorCode> {
         while let Some(frame) = self.frames.pop() {
             if let Frame::Gosub { back } = frame {
+                // An interrupt's subroutine ends with RETI alone.
+                if self.is_interrupt(self.frames.len()) {
+                    self.frames.push(frame);
+                    break;
+                }
                 return Ok(back);
             }
         }

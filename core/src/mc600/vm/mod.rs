@@ -1,6 +1,8 @@
 //! The interpreter: registers, strings, arrays and loops of the program, run a slice at a time.
 
+mod calls;
 mod input;
+mod interrupt;
 mod loops;
 mod printing;
 mod run;
@@ -12,7 +14,7 @@ use super::console::Console;
 use super::firmware::{ErrorCode, MEMORY};
 use super::machine::{Machine, MotionCommand};
 use super::symbols::Symbols;
-use super::value::Text;
+use super::value::{Text, to_integer};
 pub use input::Answer;
 pub use loops::Frame;
 
@@ -42,8 +44,12 @@ pub struct Vm {
     string_bytes: usize,
     /// Loops and calls that are open, innermost last.
     pub frames: Vec<Frame>,
+    /// Interrupts whose subroutines run, innermost last.
+    interrupted: Vec<interrupt::Interrupted>,
     /// The next operation.
     pub pc: u32,
+    /// The next operation begins a statement: an interrupt may enter.
+    between_statements: bool,
     /// The next DATA item.
     data: usize,
     /// The line that INPUT reads from.
@@ -69,7 +75,9 @@ impl Default for Vm {
             arrays: Vec::new(),
             string_bytes: 0,
             frames: Vec::new(),
+            interrupted: Vec::new(),
             pc: 0,
+            between_statements: true,
             data: 0,
             answer: Answer::default(),
             printing: Vec::new(),
@@ -89,6 +97,7 @@ impl Vm {
         self.arrays.clear();
         self.string_bytes = 0;
         self.frames.clear();
+        self.interrupted.clear();
         self.data = 0;
         self.give_up();
         self.take_in_symbols();
@@ -104,6 +113,7 @@ impl Vm {
     fn give_up(&mut self) {
         self.answer = Answer::default();
         self.left_integers = false;
+        self.between_statements = true;
     }
 
     /// Gives a register to each new constant, a place to each new string, an array to each new name.
@@ -172,6 +182,11 @@ impl Vm {
     /// An array by its number.
     pub fn array(&self, number: u16) -> Option<&Array> {
         self.arrays.get(usize::from(number))
+    }
+
+    /// The number of an array, from a register that holds it.
+    fn array_at(&self, register: u16) -> Option<u16> {
+        to_integer(self.register(register)).ok()?.try_into().ok()
     }
 
     /// The array that an operation names, with the room that it may take.

@@ -3,8 +3,8 @@
 use super::super::ast::Function;
 use super::super::code::{Code, Exit, Op, REGISTERS, SystemCall};
 use super::super::firmware::{COST_UNIT, ErrorCode};
+use super::super::functions;
 use super::super::value::{floor_in_range, in_range, is_integer, to_integer};
-use super::super::{functions, motion_calls};
 use super::{Vm, World};
 use crate::exec::{Credit, Wait};
 use std::rc::Rc;
@@ -48,6 +48,7 @@ impl Vm {
         let mut left = credit.balance;
         let exit = self.dispatch(ops, &mut left, world);
         credit.settle(left);
+        self.note_place(exit, left);
         exit
     }
 
@@ -61,7 +62,13 @@ impl Vm {
         let mut left = 1;
         let exit = self.dispatch(&ops, &mut left, world);
         credit.settle(before.saturating_add(left));
+        self.note_place(exit, left);
         exit
+    }
+
+    /// Only what waits with credit left is in the middle of its statement.
+    fn note_place(&mut self, exit: Exit, left: i64) {
+        self.between_statements = left <= 0 || !matches!(exit, Exit::Wait(_));
     }
 
     #[allow(clippy::indexing_slicing)] // masked to the registers' number, see `register!`
@@ -78,7 +85,7 @@ impl Vm {
         let mut pc = self.pc;
         let mut credit = *left;
         while credit > 0 {
-            let Some(&op) = usize::try_from(pc).ok().and_then(|pc| ops.get(pc)) else {
+            let Some(op) = usize::try_from(pc).ok().and_then(|pc| ops.get(pc)) else {
                 (self.pc, *left) = (pc, credit);
                 return Exit::End;
             };
@@ -204,7 +211,7 @@ impl Vm {
                 Code::Nothing => {}
                 _ => {
                     (self.pc, *left) = (pc, credit);
-                    match attempt!(self.slow(op, ops, world)) {
+                    match attempt!(self.slow(*op, ops, world)) {
                         Flow::Next => {}
                         Flow::Jump(target) => pc = target,
                         Flow::Again(exit) => {
@@ -280,15 +287,8 @@ impl Vm {
                     world.machine.set(var, value);
                 }
             }
-            Code::Motion => {
-                let command = motion_calls::command(op.a, self.register(op.b), world.machine)?;
-                if let Some(command) = command {
-                    world.machine.command(command);
-                    if let Some(log) = world.log.as_deref_mut() {
-                        log.push(command);
-                    }
-                }
-            }
+            Code::Motion => return self.motion_call(op, world),
+            Code::ReturnFromInterrupt => return self.return_from_interrupt(world).map(Flow::Jump),
             Code::Dim => {
                 let sizes = self.consecutive(op.b, op.c);
                 let room = self.room();
@@ -324,9 +324,19 @@ impl Vm {
             .collect()
     }
 
-    fn function(&mut self, op: Op, world: &World) -> Result<f64, ErrorCode> {
+    fn function(&mut self, op: Op, world: &mut World) -> Result<f64, ErrorCode> {
         let argument = self.register(op.b);
         match functions::by_number(op.a) {
+            Some(Function::Sdoerror) => Ok(f64::from(world.machine.object_error())),
+            Some(Function::Sdoread) => {
+                let number = to_integer(argument)?;
+                Ok(f64::from(world.machine.read_object(number)))
+            }
+            Some(Function::CanData) => {
+                let mailbox = usize::try_from(to_integer(argument)?).ok();
+                let data = mailbox.and_then(|number| world.machine.mailbox(number));
+                data.map(f64::from).ok_or(ErrorCode::BadSubscript)
+            }
             Some(Function::Insta) => Ok(f64::from(world.machine.inputs())),
             Some(Function::Outsta) => Ok(f64::from(world.machine.outputs())),
             Some(Function::Rnd) => {

@@ -3,7 +3,7 @@
 use std::collections::btree_map::Entry;
 
 use super::super::ast::{Expr, LineCommand, Operator, Statement, StatementKind};
-use super::super::code::{Code, Slow, TEMPORARY};
+use super::super::code::{Code, LOOP_AND_WHILE, Op, Slow, TEMPORARY};
 use super::{At, Compiler};
 
 /// A structure that has not been ended.
@@ -194,12 +194,12 @@ impl Compiler {
     fn unless(&mut self, expr: &Expr) -> usize {
         let comparison = expr.rest.and_then(|(operator, right)| {
             let (code, swapped) = match operator {
-                Operator::Equal => (Code::JumpUnlessEqual, false),
-                Operator::NotEqual => (Code::JumpUnlessNotEqual, false),
-                Operator::Less => (Code::JumpUnlessLess, false),
-                Operator::LessEqual => (Code::JumpUnlessLessEqual, false),
-                Operator::Greater => (Code::JumpUnlessLess, true),
-                Operator::GreaterEqual => (Code::JumpUnlessLessEqual, true),
+                Operator::Equal => (Code::JumpIfNotEqual, false),
+                Operator::NotEqual => (Code::JumpIfEqual, false),
+                Operator::Less => (Code::JumpIfLessEqual, true),
+                Operator::LessEqual => (Code::JumpIfLess, true),
+                Operator::Greater => (Code::JumpIfLessEqual, false),
+                Operator::GreaterEqual => (Code::JumpIfLess, false),
                 _ => return None,
             };
             Some((code, swapped, right))
@@ -240,8 +240,19 @@ impl Compiler {
         let Some(open) = self.open.pop() else { return };
         match open.kind {
             Kind::While { top } => {
-                self.emit(Code::Jump, 0, 0, top);
-                self.charge();
+                // A condition of one operation is tested here: a jump less a repetition.
+                let condition = self.ops.get(usize::from(top)).copied();
+                let again = condition.and_then(|op| op.opposite(top.saturating_add(1)));
+                match again {
+                    Some(op) => self.ops.push(Op {
+                        cost: LOOP_AND_WHILE,
+                        ..op
+                    }),
+                    None => {
+                        self.emit(Code::Jump, 0, 0, top);
+                        self.charge();
+                    }
+                }
             }
             Kind::If { unless, .. } => {
                 if let Some(unless) = unless {
@@ -257,7 +268,7 @@ impl Compiler {
                 self.land(choice);
                 for (expr, target) in cases {
                     let register = self.case_value(&expr);
-                    let skip = self.emit(Code::JumpUnlessEqual, TEMPORARY, register, 0);
+                    let skip = self.emit(Code::JumpIfNotEqual, TEMPORARY, register, 0);
                     self.emit(Code::Jump, 0, 0, target);
                     self.land(skip);
                 }

@@ -17,7 +17,7 @@ use super::code::{
 };
 use super::motor::Flag;
 use super::parser::parse_line;
-use crate::language::{Cure, Span};
+use crate::language::{Cure, Span, split_lines};
 use flow::Open;
 
 /// Why a program is not downloaded.
@@ -39,7 +39,7 @@ pub struct Problem {
 pub fn compile(text: &[u8], without: Option<&str>) -> (Image, Vec<Problem>) {
     let mut compiler = Compiler::new(PROGRAM_CONSTANTS, REGISTERS);
     let mut ended = false;
-    for line in text.split(|&byte| byte == b'\n') {
+    for line in split_lines(text) {
         compiler.lines.push(compiler.here());
         for statement in &parse_line(line, without).statements {
             ended |= statement.kind == StatementKind::End;

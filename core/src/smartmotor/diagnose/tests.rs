@@ -46,14 +46,14 @@ fn every_error_of_the_compiler_has_its_name_and_line() {
 
 #[test]
 fn causes_and_cures_are_plain() {
-    let [found] = &diagnose("a=b +1\nEND")[..] else {
-        panic!("one error");
-    };
-    let cure = found.cure.clone().unwrap();
+    let one = diagnose("a=b +1\nEND");
+    assert_eq!(one.len(), 1);
+    let cure = one[0].cure.clone().unwrap();
     assert_eq!(
-        (found.line, cure.span, cure.replacement.as_str()),
+        (one[0].line, cure.span, cure.replacement.as_str()),
         (0, Span { start: 3, end: 4 }, "")
     );
+    assert_eq!(found("a=b + c\nEND"), [(0, "syntax error".to_owned())]);
     let found = diagnose("a=b+c+d END");
     assert_eq!(found[0].cause, "An expression has at most one operator.");
     let found = diagnose("WHILE 1 \u{2018}always\nLOOP END");
@@ -63,8 +63,13 @@ fn causes_and_cures_are_plain() {
 
 #[test]
 fn a_program_that_is_too_long_is_told() {
-    let text = "a=1\n".repeat(9000) + "END";
-    assert_eq!(found(&text), [(0, "program too long".to_owned())]);
+    // Nothing else is said of it, and that at once.
+    for text in ["a=1\n", "IF 1 BREAK ", "WHILE 1 ELSE "] {
+        let text = text.repeat(200_000);
+        assert_eq!(found(&text), [(0, "program too long".to_owned())]);
+    }
+    let deep = "IF 1 ".repeat(6000);
+    assert_eq!(found(&deep).len(), 6001);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Every word of the language: what it is called, what it does, and whether it works here.
 //!
 //! One table feeds completion, help and the support table. A row may stand for many words: `C#` for every label, `a..z`
-//! for 26 variables, `RUAI` for the reports of all pins.
+//! for 26 variables, `RUAI` for the reports of all pins. Ten words are more than the list has (D150).
 
 mod flow;
 mod motion;

@@ -15,7 +15,7 @@ impl From<Operand> for Expr {
 impl Parser<'_> {
     pub(super) fn expression(&mut self) -> Parse<Expr> {
         if let Some(token) = self.negated_place() {
-            // A sign before anything but a number is the one operator.
+            // A sign before anything but a number is the one operator (D146).
             self.note("-", token.span)?;
             let rest = Some((Operator::Subtract, self.operand()?));
             let left = Operand::Number(0);

@@ -158,6 +158,11 @@ impl Parser<'_> {
     /// Behind what is malformed the next blank begins something new.
     fn skip(&mut self, start: usize) {
         self.at = self.at.max(start + 1);
+        let first = self.tokens.get(start).map(|token| token.kind);
+        if matches!(first, Some(TokenKind::Operator(_) | TokenKind::Assign)) {
+            // The operand belongs to it.
+            self.at = self.at.max((start + 2).min(self.tokens.len()));
+        }
         while self.glued().is_some_and(|kind| kind != TokenKind::Comment) {
             self.at += 1;
         }

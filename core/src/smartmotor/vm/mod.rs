@@ -10,9 +10,11 @@ use super::motor::Motor;
 
 pub use slow::{read, text_report};
 
-/// Calls that have not returned.
+/// Calls that have not returned, at most.
 const STACK: usize = 9;
-/// Where a subroutine returns to that the host called while no program ran.
+/// In a place to return to: the call came from outside of the program, and something else is to be put back.
+const SPECIAL: u32 = 1 << 31;
+/// Where a subroutine returns to that was called while no program ran.
 const NOWHERE: u32 = u32::MAX;
 
 /// What the interpreter reaches outside of itself while it runs.
@@ -55,10 +57,37 @@ impl Stream {
     }
 }
 
-/// A call that has not returned, with what the calling statement was at.
+/// Where the calls return to that have not returned.
+#[derive(Debug, Clone, Default)]
+struct Calls {
+    places: [u32; STACK],
+    depth: usize,
+}
+
+impl Calls {
+    /// `false` if there is no room.
+    #[inline(always)]
+    fn push(&mut self, place: u32) -> bool {
+        match self.places.get_mut(self.depth) {
+            Some(free) => {
+                *free = place;
+                self.depth += 1;
+                true
+            }
+            None => false,
+        }
+    }
+
+    #[inline(always)]
+    fn pop(&mut self) -> Option<u32> {
+        self.depth = self.depth.checked_sub(1)?;
+        self.places.get(self.depth).copied()
+    }
+}
+
+/// What the program was at when a subroutine was called from outside.
 #[derive(Debug, Clone)]
-struct Call {
-    back: u32,
+struct Interrupted {
     until: Option<u64>,
     composed: Vec<u8>,
 }
@@ -76,7 +105,9 @@ pub struct Vm {
     pub running: bool,
     /// It was started by RUN, not by power-up.
     asked: bool,
-    calls: Vec<Call>,
+    calls: Calls,
+    /// For each call from outside that has not returned, innermost last.
+    interrupted: Vec<Interrupted>,
     /// A calculation has overflowed since the motor was told.
     overflow: bool,
 }
@@ -89,7 +120,8 @@ impl Default for Vm {
             host: Stream::default(),
             running: false,
             asked: false,
-            calls: Vec::new(),
+            calls: Calls::default(),
+            interrupted: Vec::new(),
             overflow: false,
         }
     }
@@ -127,7 +159,7 @@ impl Vm {
     /// Ends the program.
     pub fn stop(&mut self) {
         self.running = false;
-        self.calls.clear();
+        self.forget_calls();
         self.program.go(0);
     }
 
@@ -143,27 +175,45 @@ impl Vm {
         true
     }
 
-    /// Calls a label from outside of the program. `false` if there is no such label, or no room for the call.
+    /// Calls a label from outside of the program (D144). `false` if there is no such label, or no room for the call.
     pub fn gosub(&mut self, label: u16) -> bool {
         let Some(&target) = self.program.image.labels.get(&label) else {
             return false;
         };
-        if self.calls.len() >= STACK {
+        let back = match self.running {
+            true => self.program.pc | SPECIAL,
+            false => NOWHERE,
+        };
+        if !self.running {
+            self.start(true);
+        }
+        if !self.calls.push(back) {
             return false;
         }
-        let back = if self.running {
-            self.program.pc
-        } else {
-            self.start(true);
-            NOWHERE
-        };
-        self.calls.push(Call {
-            back,
+        self.interrupted.push(Interrupted {
             until: self.program.until,
             composed: std::mem::take(&mut self.program.composed),
         });
         self.program.go(target);
         true
+    }
+
+    /// Puts back what a call from outside has interrupted; `None` if it was nothing.
+    fn come_back(&mut self, back: u32) -> Option<u32> {
+        let interrupted = self.interrupted.pop();
+        if back == NOWHERE {
+            return None;
+        }
+        if let Some(Interrupted { until, composed }) = interrupted {
+            (self.program.until, self.program.composed) = (until, composed);
+        }
+        Some(back & !SPECIAL)
+    }
+
+    /// STACK: forgets all calls.
+    fn forget_calls(&mut self) {
+        self.calls = Calls::default();
+        self.interrupted.clear();
     }
 
     /// The line of the program that runs next, from 1.

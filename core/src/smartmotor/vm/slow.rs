@@ -9,7 +9,7 @@ use super::run::Flow;
 use super::{Stream, Vm, World};
 use crate::exec::Wait;
 
-/// What RSP answers: the sample time in 10 ns, and the version of the firmware.
+/// What RSP answers: the sample time in 10 ns, and the version of the firmware (D149).
 const SAMPLE_TIME: &str = "24576/412";
 
 impl Vm {
@@ -54,7 +54,7 @@ impl Vm {
                     world.motor.raise(Flag::IndexRange);
                 }
             }
-            Slow::Stack => self.calls.clear(),
+            Slow::Stack => self.forget_calls(),
             Slow::Raise(flag) => world.motor.raise(*flag),
             Slow::RunIfAsked if self.asked => {}
             Slow::RunIfAsked | Slow::End => return Flow::Leave(Exit::End),
@@ -105,7 +105,7 @@ impl Vm {
             Slow::Pause => (world.line.received(), Wait::Input),
             _ => (world.motor.ticks(), Wait::Time),
         };
-        // The statement itself takes the last of the samples, where it takes one.
+        // The statement itself takes the last of the samples, where it takes one (D147).
         let own = u64::from(world.authentic && world.motor.servo_divisor() == 1);
         let stream = self.stream(world.host);
         let until = *stream.until.get_or_insert(match slow {

@@ -97,7 +97,7 @@ fn keywords_a_to_e() {
         ("20 INPUT A$", "input A$"),
         ("30 IF A$ = \"NO\" THEN END", "if (equal A$ \"NO\") {end}"),
         ("999 END", "end"),
-        ("ERASE \"A:FIL*.BAS\"", "absent ERASE"),
+        ("ERASE \"A:FIL*.BAS\"", "erase \"A:FIL*.BAS\""),
         ("10 PRINT EXP (1)", "print exp(1)"),
         (
             "20 X = Y*EXP (Z*Q)",
@@ -170,7 +170,7 @@ fn keywords_f_to_l() {
 #[test]
 fn keywords_m_to_r() {
     for (line, expected) in [
-        ("MERGE \"TEST.BAS\"", "absent MERGE"),
+        ("MERGE \"TEST.BAS\"", "merge \"TEST.BAS\""),
         ("30 PRINT A$ + MID$(B$,8,8)", "print (add A$ mids(B$,8,8))"),
         ("25 PRINT MOD(9, 2)", "print mod(9,2)"),
         ("10 NEW", "new"),
@@ -207,7 +207,7 @@ fn keywords_m_to_r() {
             "230 KK%=64 OR 32: PRINT KK%",
             "KK% := (or 64 32) | print KK%",
         ),
-        ("PASSWORD", "absent PASSWORD"),
+        ("PASSWORD", "password"),
         (
             "10 PRINT -5*X,X-5,X+5,X^5",
             "print (multiply (neg 5) X) , (subtract X 5) , (add X 5) , (power X 5)",
@@ -316,12 +316,28 @@ fn motion_drive_and_inputs() {
         ("mdrven()", "call MDRVEN()"),
         ("mdrvdis()", "call MDRVDIS()"),
         ("outw(v)", "call OUTW(V)"),
+        ("Mmerge(pos)", "call MMERGE(POS)"),
+        ("mgear(type)", "call MGEAR(TYPE)"),
+        (
+            "mcam(table%): mcamend",
+            "call MCAM(TABLE%) | call MCAMEND()",
+        ),
+        ("Mquotecmp(s,d,o,f)", "call MQUOTECMP(S,D,O,F)"),
+        ("Intdisable(): RETI", "call INTDISABLE() | reti"),
+        (
+            "X=sdoread(idx)+sdoerror()",
+            "X := (add sdoread(IDX) sdoerror())",
+        ),
+        ("X=can_data%(3)", "X := candata(3)"),
         ("PRINT outsta(),insta()", "print outsta() , insta()"),
         ("Gv_smod%=4096", "system GV_SMOD% := 4096"),
-        ("mspline(xy%,np%,camtab%)", "absent MSPLINE"),
-        ("Intsetup(Line%, Source%, Edge%)", "absent INTSETUP"),
-        ("Msetincap(in, edge, time)", "absent MSETINCAP"),
-        ("sdowrite(idx,d)", "absent SDOWRITE"),
+        ("mspline(xy%,np%,camtab%)", "call MSPLINE(XY%,NP%,CAMTAB%)"),
+        (
+            "Intsetup(Line%, Source%, Edge%)",
+            "call INTSETUP(LINE%,SOURCE%,EDGE%)",
+        ),
+        ("Msetincap(in, edge, time)", "call MSETINCAP(IN,EDGE,TIME)"),
+        ("sdowrite(idx,d)", "call SDOWRITE(IDX,D)"),
         (
             "PRINT gv_in0% gv_out9%",
             "print system GV_IN0% system GV_OUT9%",

@@ -27,6 +27,12 @@ fn statements() {
             "ELSE without an IF before it on the line.",
         ),
         ("IF A PRINT 1", "THEN or GOTO should stand here."),
+        (
+            "COPY \"A\"",
+            "A comma and the name of the copy should stand here.",
+        ),
+        ("ERASE", "The files or the disk should stand here."),
+        ("FORMAT", "The files or the disk should stand here."),
         ("IF THEN 10", "A value should stand here."),
         ("GOTO X", "A line number should stand here."),
         ("GOTO 64000", "A line number is a whole number up to 63999."),
@@ -159,12 +165,6 @@ fn what_does_not_work_says_so_whatever_it_is_written_with() {
         ("GOTOXY 50, 10", "GOTOXY"),
         ("INPUT#1,AA,BB,CC", "INPUT"),
         ("PRINT#1,A", "PRINT"),
-        ("MCAM(CAMTAB%)", "MCAM"),
-        ("X=SDOREAD(&H35C8)", "SDOREAD"),
-        ("GV_MMOD%=4096", "GV_MMOD%"),
-        ("X=CAN_DATA%(0)", "CAN_DATA%"),
-        ("minspped%=5", "MINSPEED%"),
-        ("RETI", "RETI"),
     ] {
         check(text, &format!("absent {word}"));
         check(

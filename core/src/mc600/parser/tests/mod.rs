@@ -123,10 +123,20 @@ fn statement(kind: &StatementKind) -> String {
         K::Files(mask) => format!("files{}", joined(mask.as_slice(), expr)),
         K::Save(name) => format!("save{}", joined(name.as_slice(), expr)),
         K::Load(name) => format!("load {}", expr(name)),
+        K::Merge(name) => format!("merge {}", expr(name)),
+        K::Copy { from, to } => format!("copy {} to {}", expr(from), expr(to)),
+        K::Erase(mask) => format!("erase {}", expr(mask)),
+        K::Format(disk) => format!("format {}", expr(disk)),
         K::Call { keyword, arguments } => format!("call {}({})", keyword.word(), list(arguments)),
-        K::Return | K::Rem | K::Restore | K::End | K::Stop | K::New | K::Cont => {
-            format!("{kind:?}").to_lowercase()
-        }
+        K::Return
+        | K::Reti
+        | K::Rem
+        | K::Restore
+        | K::End
+        | K::Stop
+        | K::New
+        | K::Cont
+        | K::Password => format!("{kind:?}").to_lowercase(),
     }
 }
 
