@@ -3,7 +3,7 @@
 use super::keys::{self, Key};
 use super::remote;
 use super::words::{self, Objection, codewords, packed};
-use crate::language::{Diagnostic, Highlight, HighlightClass, Severity, Span, latin1};
+use crate::language::{Diagnostic, Highlight, HighlightClass, Severity, Span, latin1, split_lines};
 
 /// A text as memory holds it, and for each of its characters where it stands: line and column, both from 0.
 struct Packed {
@@ -17,11 +17,10 @@ fn pack(text: &str) -> Packed {
         places: Vec::new(),
     };
     let mut in_message = false;
-    for (row, line) in text.split('\n').enumerate() {
-        for (column, byte) in latin1::bytes(line).into_iter().enumerate() {
+    for (row, line) in split_lines(&latin1::bytes(text)).enumerate() {
+        for (column, &byte) in line.iter().enumerate() {
             match byte {
                 b'"' => in_message = !in_message,
-                b'\r' => continue,
                 _ if in_message => {}
                 b';' => break,
                 b' ' | b'\t' => continue,
@@ -75,8 +74,8 @@ pub fn device_lines(text: &str) -> Vec<Option<u32>> {
     let mut in_message = false;
     let mut block = 1;
     let mut lines = Vec::new();
-    for line in text.split('\n') {
-        let text = packed(&latin1::bytes(line), &mut in_message);
+    for line in split_lines(&latin1::bytes(text)) {
+        let text = packed(line, &mut in_message);
         lines.push((!text.is_empty()).then_some(block));
         let ends = codewords(&text)
             .into_iter()

@@ -12,7 +12,7 @@ use crate::controller::{
     Panel, Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::exec;
-use crate::language::latin1;
+use crate::language::{latin1, split_lines};
 use crate::serial::LineSettings;
 use crate::time::Nanos;
 
@@ -258,9 +258,9 @@ impl Controller for Unidex3 {
             return refuse(0, "unidex3 has programs 1 to 99, and no files".to_owned());
         };
         let mut in_message = false;
-        let lines = text.split('\n');
-        let program: Vec<u8> = lines
-            .flat_map(|line| packed(&latin1::bytes(line.trim_end_matches('\r')), &mut in_message))
+        let source = latin1::bytes(text);
+        let program: Vec<u8> = split_lines(&source)
+            .flat_map(|line| packed(line, &mut in_message))
             .collect();
         if !self.memory.store(number, &program) {
             return refuse(0, "BUF FULL: the program has no room in memory".to_owned());
