@@ -68,8 +68,10 @@ pub(super) fn info(line: LineSettings) -> ControllerInfo {
         axes: vec!["x", "y"],
         line,
         prompt: "",
-        attention: b"\x7F",
-        start: "A 01",
+        // Clears all units, without a self-test.
+        attention: b"\x1BC\r",
+        // Addresses unit 1, answers what it may have requested, and runs program 1.
+        start: "\u{1b}01\rQ\rA 01",
         program_slot: Slot::Number(u16::from(DEFAULT_PROGRAM)),
         signals,
         wires,
