@@ -3,8 +3,7 @@
 //! A message is JSON text; the samples of a frame travel beside it as one array of numbers, whose buffer is handed
 //! over rather than copied. Console bytes are text in the devices' eight-bit characters.
 
-use motionbench_core::catalog::TerminalSettings;
-use motionbench_core::controller::{CamTable, Memory, Revision, Signal, Status};
+use motionbench_core::controller::{CamTable, Memory, Revision, Signal, Status, TerminalSettings};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use motionbench_core::trace::Trace;

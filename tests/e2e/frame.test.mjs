@@ -74,6 +74,8 @@ for (const [name, viewport] of Object.entries(SIZES)) {
       await page.keyboard.type("NEW\n10 GOTO 45\nRUN\n");
       await printedEnd(page, "?UNDEF'D STATEMENT ERROR IN 10\n>");
       await look("error");
+      // The controller is asked twice a second what it holds.
+      await page.waitForTimeout(1500);
       await page.workers()[0].evaluate(() => self.close()).catch(() => {});
       await page.getByText("The simulator has failed and was started again.").waitFor();
       await page.getByText("idle", { exact: true }).waitFor();

@@ -130,7 +130,7 @@ siteTest(
     const heard = await page.evaluate(
       (older) =>
         new Promise((resolve, reject) => {
-          const worker = new Worker(`./${older}/worker_loader.js`, { type: "module" });
+          const worker = new Worker(`./${older}/worker_loader.js`, { type: "module", name: "mc600" });
           worker.onmessage = (event) => resolve(event.data[0]);
           worker.onerror = () => reject(new Error("no worker"));
         }),

@@ -1,7 +1,7 @@
 //! Inputs and outputs: switches, knobs, lamps, and the state of the drive.
 
 use leptos::prelude::*;
-use motionbench_core::catalog::{Handle, Range, Wired};
+use motionbench_core::controller::{Handle, Range, Wired};
 
 use super::popover::Popover;
 use crate::state::wiring::{self, Drive, Wiring};

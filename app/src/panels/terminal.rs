@@ -13,7 +13,7 @@ use leptos::ev;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use motionbench_core::catalog::FirstStep;
+use motionbench_core::controller::FirstStep;
 use web_sys::{ClipboardEvent, Element, HtmlTextAreaElement, KeyboardEvent};
 
 use super::{draw, room};

@@ -2,7 +2,7 @@
 
 use leptos::ev;
 use leptos::prelude::*;
-use motionbench_core::catalog::FirstStep;
+use motionbench_core::controller::FirstStep;
 use web_sys::KeyboardEvent;
 
 use super::controller::ControllerChoice;

@@ -1,7 +1,7 @@
 //! What goes to the controller's console and what comes from it: typed, pasted, sent from a file, kept for a file.
 
 use leptos::prelude::*;
-use motionbench_core::catalog::TerminalSettings;
+use motionbench_core::controller::TerminalSettings;
 use motionbench_core::serial::LineSettings;
 
 use super::Store;

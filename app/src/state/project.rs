@@ -8,8 +8,8 @@ mod lines;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-use motionbench_core::catalog::{TerminalSettings, kind};
-use motionbench_core::controller::{Memory, MemoryItem};
+use motionbench_core::catalog::kind;
+use motionbench_core::controller::{Memory, MemoryItem, TerminalSettings};
 use motionbench_core::serial::LineSettings;
 use serde::de::{Deserializer, IgnoredAny};
 use serde::{Deserialize, Serialize, Serializer};

@@ -3,8 +3,8 @@
 //! What was printed and what was recorded stay out of the reactive graph; it carries only the news that there is more.
 
 use leptos::prelude::*;
-use motionbench_core::catalog::{KINDS, Kind, TerminalSettings};
-use motionbench_core::controller::{CamTable, Memory, RunState};
+use motionbench_core::catalog::{KINDS, Kind};
+use motionbench_core::controller::{CamTable, Memory, RunState, TerminalSettings};
 use motionbench_core::exec::Wait;
 
 use super::editor::EditorState;

@@ -1,7 +1,8 @@
 //! What is wired to the controller: switches and knobs at its inputs, lamps at its outputs, the emergency stop of the
 //! machine.
 
-use motionbench_core::catalog::{Handle, Kind, Wired};
+use motionbench_core::catalog::Kind;
+use motionbench_core::controller::{Handle, Wired};
 
 use crate::protocol::ToWorker;
 
@@ -151,7 +152,8 @@ impl Drive {
 
 #[cfg(test)]
 mod tests {
-    use motionbench_core::catalog::{KINDS, Range};
+    use motionbench_core::catalog::KINDS;
+    use motionbench_core::controller::Range;
 
     use super::*;
 

@@ -1,9 +1,10 @@
 //! The bench with one controller on it, driven by the page's messages. It knows neither browser nor wall clock.
 
 use motionbench_core::bench::Bench;
-use motionbench_core::catalog::{self, TerminalSettings};
+use motionbench_core::catalog;
 use motionbench_core::controller::{
     ControllerInfo, Debug, DebugReply, Input, Memory, RunState, Slot, Status, Survives,
+    TerminalSettings,
 };
 use motionbench_core::language::latin1;
 use motionbench_core::probe::{ConsoleByte, Probe};

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use super::firmware::{DISK_A, DISK_B, ErrorCode};
-use crate::catalog::DiskInfo;
+use crate::controller::DiskInfo;
 use crate::files::{Disk, matches};
 
 /// The disks for people.

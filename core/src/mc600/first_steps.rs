@@ -1,6 +1,6 @@
 //! What a newcomer to the MC-600 starts with.
 
-use crate::catalog::FirstStep::{self, PowerCycle, Type};
+use crate::controller::FirstStep::{self, PowerCycle, Type};
 
 /// Moves the axis to and fro within two seconds, and says so.
 pub const PROGRAM: &str = r#"10 REM TEN TURNS OUT AND BACK

@@ -1,7 +1,7 @@
 //! What stands around an MC-600 on the bench: switches at its inputs, lamps at its outputs, what turns
 //! its master encoder, and voltages.
 
-use crate::catalog::{Handle, Lamps, Range, Wired};
+use crate::controller::{Handle, Lamps, Range, Wired};
 
 /// Inputs 0 to 7 are on the card, 8 to 11 on the drive, whose ENABLE is the last.
 pub const INPUTS: &[Wired] = &[

@@ -1,6 +1,6 @@
 //! What a newcomer to the SmartMotor starts with.
 
-use crate::catalog::FirstStep::{self, PowerCycle, Type};
+use crate::controller::FirstStep::{self, PowerCycle, Type};
 
 /// Moves the shaft to and fro, and says where it is.
 pub const PROGRAM: &str = r#"'TEN TURNS OUT AND BACK, THREE TIMES

@@ -1,6 +1,6 @@
 //! What stands around a SmartMotor on the bench: a switch and a knob at each pin, what turns its counter, and lamps.
 
-use crate::catalog::{Handle, Lamps, Range, Wired};
+use crate::controller::{Handle, Lamps, Range, Wired};
 
 /// The pins by their levels, which a pull-up holds at 5 V, and the external encoder.
 pub const INPUTS: &[Wired] = &[

@@ -1,6 +1,6 @@
 //! What a newcomer to the Unidex starts with.
 
-use crate::catalog::FirstStep::{self, PowerCycle, Type};
+use crate::controller::FirstStep::{self, PowerCycle, Type};
 
 /// Traces a square three times.
 pub const PROGRAM: &str = "G91 G00 *

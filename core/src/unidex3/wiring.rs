@@ -1,6 +1,6 @@
 //! What stands around a Unidex on the bench: switches at its inputs, lamps at its M outputs.
 
-use crate::catalog::{Handle, Lamps, Wired};
+use crate::controller::{Handle, Lamps, Wired};
 
 /// The C inputs; an open one reads high.
 pub const INPUTS: &[Wired] = &[

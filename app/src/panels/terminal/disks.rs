@@ -4,7 +4,7 @@ use leptos::ev;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::task::spawn_local;
-use motionbench_core::catalog::DiskInfo;
+use motionbench_core::controller::DiskInfo;
 use motionbench_core::language::latin1;
 use web_sys::FileList;
 
