@@ -387,6 +387,19 @@ pub enum RunState {
 pub enum Debug {
     /// These device lines and no others stop the program before they run.
     Breakpoints(Vec<u32>),
+    /// Holds the program, or lets it go.
+    Control(Control),
+    /// The value of a variable, element or signal by the controller's own name.
+    Read(String),
+    /// Sets a variable.
+    Write(String, Value),
+    /// The cam table that is in use.
+    Cam,
+}
+
+/// How a debugger lets a program run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
     /// Holds the program before its next statement; motion goes on.
     Pause,
     /// Lets a held program go.
@@ -395,12 +408,6 @@ pub enum Debug {
     Step,
     /// Runs a held program until [`Status::spent`] is at least this, then holds it again.
     RunTo(u64),
-    /// The value of a variable, element or signal by the controller's own name.
-    Read(String),
-    /// Sets a variable.
-    Write(String, Value),
-    /// The cam table that is in use.
-    Cam,
 }
 
 /// What a debugger is told.

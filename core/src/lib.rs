@@ -15,6 +15,7 @@ pub mod catalog;
 pub mod controller;
 pub mod exec;
 pub mod files;
+pub mod hold;
 pub mod io;
 pub mod language;
 pub mod mc600;

@@ -154,7 +154,7 @@ impl Controller for Mc600 {
         let run = match (running, self.waiting, line) {
             (false, ..) if ending => RunState::Command,
             (false, ..) => RunState::Idle,
-            _ if self.debugger.holds() => RunState::Paused,
+            _ if self.debugger.hold.holds() => RunState::Paused,
             (true, Some(wait), _) => RunState::Waiting(wait),
             (true, None, Some(_)) => RunState::Running,
             (true, None, None) => RunState::Command,
@@ -181,24 +181,9 @@ impl Controller for Mc600 {
                 self.debugger.set_breakpoints(lines, &self.vm.image);
                 DebugReply::Done
             }
-            Debug::Pause | Debug::Step | Debug::RunTo(_) if self.mode != Mode::Running => {
-                DebugReply::Refused("no program runs".to_owned())
-            }
-            Debug::Pause => {
-                self.debugger.hold();
-                DebugReply::Done
-            }
-            Debug::Continue => {
-                self.debugger.release();
-                DebugReply::Done
-            }
-            Debug::Step => {
-                self.debugger.run_to(self.credit.spent + 1);
-                DebugReply::Done
-            }
-            Debug::RunTo(spent) => {
-                self.debugger.run_to(spent);
-                DebugReply::Done
+            Debug::Control(control) => {
+                let runs = self.mode == Mode::Running;
+                self.debugger.hold.obey(control, runs, self.credit.spent)
             }
             Debug::Read(name) => match self.read(&name) {
                 Some(value) => DebugReply::Value(value),

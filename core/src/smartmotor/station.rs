@@ -160,7 +160,7 @@ impl Controller for SmartMotor {
         let will_start = self.start_at.is_some() && self.store.has_program();
         let run = match self.waiting {
             _ if !self.powered => RunState::Idle,
-            _ if self.vm.running && self.debugger.holds() => RunState::Paused,
+            _ if self.vm.running && self.debugger.hold.holds() => RunState::Paused,
             Some(wait) => RunState::Waiting(wait),
             None if self.vm.running => RunState::Running,
             None if will_start => RunState::Waiting(Wait::Time),
@@ -189,24 +189,9 @@ impl Controller for SmartMotor {
                 self.debugger.set_breakpoints(lines, &self.vm.program.image);
                 DebugReply::Done
             }
-            Debug::Pause | Debug::Step | Debug::RunTo(_) if !self.vm.running => {
-                DebugReply::Refused("no program runs".to_owned())
-            }
-            Debug::Pause => {
-                self.debugger.hold();
-                DebugReply::Done
-            }
-            Debug::Continue => {
-                self.debugger.release();
-                DebugReply::Done
-            }
-            Debug::Step => {
-                self.debugger.run_to(self.credit.spent + 1);
-                DebugReply::Done
-            }
-            Debug::RunTo(spent) => {
-                self.debugger.run_to(spent);
-                DebugReply::Done
+            Debug::Control(control) => {
+                let runs = self.vm.running;
+                self.debugger.hold.obey(control, runs, self.credit.spent)
             }
             Debug::Read(name) => match self.read(&name) {
                 Some(value) => DebugReply::Value(value),

@@ -7,58 +7,34 @@ use super::indexer::Event;
 use super::run::{Flow, Kind, Run, Wait, World};
 use super::trouble::{Errors, Trouble};
 use super::{Busy, Link, Unidex3};
+use crate::hold::Hold;
 use crate::time::Nanos;
 
 /// What holds a program for a person who looks at it.
 #[derive(Debug, Clone, Default)]
 pub struct Debugger {
     /// Device lines, from 1: the blocks of the program.
-    breakpoints: Vec<u32>,
-    held: bool,
-    /// Lets the program run until this much firmware time is spent.
-    until: Option<u64>,
+    pub breakpoints: Vec<u32>,
+    /// Whether the program goes on.
+    pub hold: Hold,
     /// The breakpoint that the program stands at.
     passed: Option<u32>,
 }
 
 impl Debugger {
-    /// Whether the program is held.
-    pub fn holds(&self) -> bool {
-        self.held
-    }
-
-    /// Sets breakpoints.
-    pub fn set_breakpoints(&mut self, lines: Vec<u32>) {
-        self.breakpoints = lines;
-    }
-
-    /// Holds the program before its next codeword.
-    pub fn hold(&mut self) {
-        (self.held, self.until) = (true, None);
-    }
-
-    /// Lets it go.
-    pub fn release(&mut self) {
-        (self.held, self.until) = (false, None);
-    }
-
-    /// Lets it run until so much is spent.
-    pub fn run_to(&mut self, spent: u64) {
-        (self.held, self.until) = (false, Some(spent));
-    }
-
     /// No program runs any more.
     pub fn forget(&mut self) {
-        self.release();
-        self.passed = None;
+        (self.hold, self.passed) = (Hold::Free, None);
     }
 
     /// Whether the program stops before the codeword in this block.
     fn stops(&mut self, line: Option<u32>, spent: u64) -> bool {
         let at_breakpoint = line.is_some_and(|line| self.breakpoints.contains(&line));
-        let reached = self.until.is_some_and(|until| spent >= until);
-        if reached || (at_breakpoint && self.passed != line) {
-            self.hold();
+        self.hold.arrive(spent);
+        if at_breakpoint && self.passed != line {
+            self.hold = Hold::Held;
+        }
+        if self.hold.holds() {
             self.passed = line;
             return true;
         }
@@ -135,7 +111,7 @@ impl Unidex3 {
         self.credit
             .deposit(SAMPLE, self.options.speed, CREDIT_A_SAMPLE);
         while self.executing && self.credit.balance > 0 {
-            if self.indexer.is_held() || !self.is_over(now) || self.debugger.holds() {
+            if self.indexer.is_held() || !self.is_over(now) || self.debugger.hold.holds() {
                 return;
             }
             let line = self.device_line();

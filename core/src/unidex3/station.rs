@@ -208,27 +208,12 @@ impl Controller for Unidex3 {
     fn debug(&mut self, command: Debug) -> DebugReply {
         match command {
             Debug::Breakpoints(lines) => {
-                self.debugger.set_breakpoints(lines);
+                self.debugger.breakpoints = lines;
                 DebugReply::Done
             }
-            Debug::Pause | Debug::Step | Debug::RunTo(_) if !self.executing => {
-                DebugReply::Refused("no program runs".to_owned())
-            }
-            Debug::Pause => {
-                self.debugger.hold();
-                DebugReply::Done
-            }
-            Debug::Continue => {
-                self.debugger.release();
-                DebugReply::Done
-            }
-            Debug::Step => {
-                self.debugger.run_to(self.credit.spent + 1);
-                DebugReply::Done
-            }
-            Debug::RunTo(spent) => {
-                self.debugger.run_to(spent);
-                DebugReply::Done
+            Debug::Control(control) => {
+                let spent = self.credit.spent;
+                self.debugger.hold.obey(control, self.executing, spent)
             }
             Debug::Read(name) => match self.read(&name) {
                 Some(value) => DebugReply::Value(value),
@@ -360,7 +345,7 @@ impl Unidex3 {
             Some(Busy::Dead) => RunState::Idle,
             Some(_) => RunState::Command,
             None if !self.executing => RunState::Idle,
-            None if self.debugger.holds() => RunState::Paused,
+            None if self.debugger.hold.holds() => RunState::Paused,
             None => self
                 .run
                 .wait

@@ -2,7 +2,7 @@
 
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, Kind};
-use motionbench_core::controller::{Controller, Debug, Input, Slot, Survives};
+use motionbench_core::controller::{Control, Controller, Debug, Input, Slot, Survives};
 use motionbench_core::language::latin1;
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::program_text;
@@ -157,15 +157,15 @@ impl Unit {
             }
             6 => {
                 let commands = [
-                    Debug::Pause,
-                    Debug::Step,
-                    Debug::Continue,
+                    Debug::Control(Control::Pause),
+                    Debug::Control(Control::Step),
+                    Debug::Control(Control::Continue),
                     Debug::Breakpoints(vec![1, 2]),
                 ];
                 for command in commands {
                     self.station().debug(command);
                 }
-                self.station().debug(Debug::Continue);
+                self.station().debug(Debug::Control(Control::Continue));
             }
             _ => self.run(1000),
         }
