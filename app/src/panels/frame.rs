@@ -6,7 +6,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent};
 
-use super::{editor, scope, terminal};
+use super::{editor, front, scope, terminal};
 use crate::state::Store;
 use crate::state::layout::{Divider, LEAST, Layout, MOST, Panel, STEP};
 use crate::storage::Keeper;
@@ -51,18 +51,44 @@ pub(super) fn Frame(store: Store, keeper: Keeper) -> impl IntoView {
     let share = move |divider| store.layout.with(|layout| layout.share(divider));
     let before = move |divider| share(divider).to_string();
     let behind = move |divider| (1000 - share(divider)).to_string();
+    let face = Memo::new(move |_| store.kind().id);
+    let front = move || {
+        face.get();
+        untrack(|| store.kind().face).map(|face| view! { <front::Front store face /> })
+    };
+    let upper = move || upper_divider(store);
+    let above = move || {
+        (store.kind().face.is_some()).then(|| match store.layout.with(Layout::is_front_up) {
+            true => "front",
+            false => "terminal",
+        })
+    };
     view! {
-        <main class="workshop" node_ref=main data-shown=move || store.layout.with(Layout::shown).name()
+        <main class="workshop" node_ref=main data-shown=move || shown(store).name() data-above=above
             style:--program=move || before(Divider::Program) style:--bench=move || behind(Divider::Program)
-            style:--terminal=move || before(Divider::Terminal) style:--scope=move || behind(Divider::Terminal)>
+            style:--terminal=move || before(upper()) style:--scope=move || behind(upper())>
             <Cell store panel=Panel::Program><editor::Editor store read_only=Signal::derive(move || keeper.is_read_only()) /></Cell>
-            <DividerView store divider=Divider::Program main />
+            <DividerView store upright=true main />
             <div class="bench">
-                <Cell store panel=Panel::Terminal><terminal::Terminal store /></Cell>
-                <DividerView store divider=Divider::Terminal main />
+                <Cell store panel=Panel::Terminal>{front}<terminal::Terminal store /></Cell>
+                <DividerView store upright=false main />
                 <Cell store panel=Panel::Scope><scope::Scope store /></Cell>
             </div>
         </main>
+    }
+}
+
+/// The panel that is shown where there is room for one.
+pub(super) fn shown(store: Store) -> Panel {
+    let has_front = store.kind().face.is_some();
+    store.layout.with(|layout| layout.shown(has_front))
+}
+
+/// What parts the panels on the right.
+fn upper_divider(store: Store) -> Divider {
+    match store.kind().face {
+        Some(_) => Divider::Front,
+        None => Divider::Terminal,
     }
 }
 
@@ -74,7 +100,10 @@ fn is_folded(store: Store, panel: Panel) -> bool {
 #[component]
 fn Cell(store: Store, panel: Panel, children: Children) -> impl IntoView {
     let folded = Memo::new(move |_| is_folded(store, panel));
-    let title = panel.title();
+    let title = move || match panel {
+        Panel::Terminal if store.kind().face.is_some() => Panel::Front.title(),
+        panel => panel.title(),
+    };
     let verb = move || if folded.get() { "Show" } else { "Fold" };
     let fold = move |_| {
         store
@@ -85,7 +114,7 @@ fn Cell(store: Store, panel: Panel, children: Children) -> impl IntoView {
         <div class=format!("cell {}-cell", panel.name()) class:folded=folded>
             <div class="content">{children()}</div>
             <button type="button" class="fold" aria-expanded=move || (!folded.get()).to_string()
-                aria-label=move || format!("{} {title}", verb()) title=move || format!("{} {title}", verb())
+                aria-label=move || format!("{} {}", verb(), title()) title=move || format!("{} {}", verb(), title())
                 on:click=fold>
                 <span class="chevron" aria-hidden="true"></span>
                 <span class="fold-title">{title}</span>
@@ -96,17 +125,25 @@ fn Cell(store: Store, panel: Panel, children: Children) -> impl IntoView {
 
 /// What parts two panels: dragged, or moved by the arrow keys; Enter folds, a double click puts it back.
 #[component]
-fn DividerView(store: Store, divider: Divider, main: NodeRef<html::Main>) -> impl IntoView {
-    let upright = divider == Divider::Program;
-    let (label, orientation, panel) = match divider {
-        Divider::Program => ("Width of the program", "vertical", Panel::Program),
-        Divider::Terminal => ("Height of the terminal", "horizontal", Panel::Terminal),
+fn DividerView(store: Store, upright: bool, main: NodeRef<html::Main>) -> impl IntoView {
+    let divider = Memo::new(move |_| match upright {
+        true => Divider::Program,
+        false => upper_divider(store),
+    });
+    let (orientation, panel) = match upright {
+        true => ("vertical", Panel::Program),
+        false => ("horizontal", Panel::Terminal),
     };
-    let share = Memo::new(move |_| store.layout.with(|layout| layout.share(divider)));
+    let label = move || match divider.get() {
+        Divider::Program => "Width of the program",
+        Divider::Terminal => "Height of the terminal",
+        Divider::Front => "Height of the panel",
+    };
+    let share = Memo::new(move |_| store.layout.with(|layout| layout.share(divider.get())));
     let put = move |share| {
         store
             .layout
-            .update(|layout| layout.move_divider(divider, share))
+            .update(|layout| layout.move_divider(divider.get_untracked(), share))
     };
     let drag = move |event: PointerEvent| {
         let Some(main) = main.get_untracked().filter(|_| event.buttons() & 1 == 1) else {
@@ -151,16 +188,17 @@ fn DividerView(store: Store, divider: Divider, main: NodeRef<html::Main>) -> imp
     view! {
         <div class=format!("divider {orientation}") role="separator" tabindex="0" aria-label=label
             aria-orientation=orientation aria-valuemin=LEAST / 10 aria-valuemax=MOST / 10
-            aria-valuenow=move || share.get() / 10 title=format!("{label}: drag, or arrow keys; Enter folds")
+            aria-valuenow=move || share.get() / 10 title=move || format!("{}: drag, or arrow keys; Enter folds", label())
             on:pointerdown=take on:pointermove=drag on:keydown=key
-            on:dblclick=move |_| put(divider.usual())></div>
+            on:dblclick=move |_| put(divider.get_untracked().usual())></div>
     }
 }
 
 /// Where there is room for one panel alone: which it is.
 #[component]
 pub(super) fn Tabs(store: Store) -> impl IntoView {
-    let shown = Memo::new(move |_| store.layout.with(Layout::shown));
+    let shown = Memo::new(move |_| shown(store));
+    let has_front = Memo::new(move |_| store.kind().face.is_some());
     let tab = move |panel: Panel| {
         let current = move || (shown.get() == panel).then_some("true");
         let show = move |_| store.layout.update(|layout| layout.show(panel));
@@ -171,5 +209,10 @@ pub(super) fn Tabs(store: Store) -> impl IntoView {
             </button>
         }
     };
-    view! { <nav class="tabs" aria-label="Panels">{Panel::ALL.map(tab).collect_view()}</nav> }
+    let tabs = move || {
+        let panels = Panel::ALL.into_iter();
+        let there = panels.filter(|panel| *panel != Panel::Front || has_front.get());
+        there.map(tab).collect_view()
+    };
+    view! { <nav class="tabs" aria-label="Panels">{tabs}</nav> }
 }

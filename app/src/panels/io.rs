@@ -1,11 +1,17 @@
 //! Inputs and outputs: switches, knobs, lamps, and the state of the drive.
 
+use std::time::Duration;
+
 use leptos::prelude::*;
 use motionbench_core::controller::{Handle, Range, Wired};
 
+use super::draw;
 use super::popover::Popover;
 use crate::state::wiring::{self, Drive, Wiring};
 use crate::state::{Device, Store, words};
+
+/// So long a pulse is seen.
+const STROBE: Duration = Duration::from_millis(200);
 
 /// Switches and lamps of the controller on the bench.
 #[component]
@@ -52,7 +58,7 @@ fn Lamps(store: Store) -> impl IntoView {
         let on = Memo::new(move |_| wiring::is_on(lit.get(), bit));
         view! {
             <li class="point" class:on=on>
-                <span class="bulb" aria-hidden="true">{label}</span>
+                <span class="bulb" aria-hidden="true">{label.trim_start_matches('M')}</span>
                 <span class="unseen">
                     {move || format!("output {label} {}", if on.get() { "on" } else { "off" })}
                 </span>
@@ -62,8 +68,33 @@ fn Lamps(store: Store) -> impl IntoView {
     view! {
         <div class="points">
             <h3>"Out"<span class="unseen">"puts"</span></h3>
-            <ul>{(0..).zip(lamps.labels.iter().copied()).map(lamp).collect_view()}</ul>
+            <ul>
+                {(0..).zip(lamps.labels.iter().copied()).map(lamp).collect_view()}
+                {lamps.strobe.map(|_| view! { <Strobe store /> })}
+            </ul>
         </div>
+    }
+}
+
+/// The lamp at the strobe. Its pulse is too short to be seen: the lamp stays on for a moment.
+#[component]
+fn Strobe(store: Store) -> impl IntoView {
+    let on = RwSignal::new(false);
+    let dark = draw::after(STROBE, move || {
+        on.try_set(false);
+    });
+    Effect::new(move |before: Option<u64>| {
+        let strobes = store.strobes.get();
+        if before.is_some_and(|before| before != strobes) {
+            on.set(true);
+            dark();
+        }
+        strobes
+    });
+    view! {
+        <li class="point strobe" class:on=on title="The strobe of the outputs">
+            <span class="bulb" aria-hidden="true">"S"</span>
+        </li>
     }
 }
 

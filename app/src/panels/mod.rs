@@ -11,6 +11,7 @@ mod draw;
 mod editor;
 mod estop;
 mod frame;
+mod front;
 mod io;
 mod popover;
 mod project;

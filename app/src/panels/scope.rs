@@ -134,7 +134,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                 <Show when=move || store.kind().has_cam><super::cam::Cam store /></Show>
                 <Controls store sheets />
             </header>
-            <super::axis::Axis store />
+            <super::axis::Axes store />
             <div class="scope-view">
             <div class="scope-room" node_ref=scroller>
                 <div class="strips">

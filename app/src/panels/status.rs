@@ -34,7 +34,9 @@ pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl
         })
     });
     let keyboard = move || {
-        if store.typing.get() {
+        if store.pressing.get() {
+            "keyboard: panel"
+        } else if store.typing.get() {
             "keyboard: terminal"
         } else if store.editing.get() {
             "keyboard: editor"

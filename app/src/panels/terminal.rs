@@ -16,6 +16,7 @@ use leptos::wasm_bindgen::JsCast;
 use motionbench_core::controller::FirstStep;
 use web_sys::{ClipboardEvent, Element, HtmlTextAreaElement, KeyboardEvent};
 
+use super::front::ToFront;
 use super::{draw, room};
 use crate::protocol::ToWorker;
 use crate::state::Store;
@@ -32,6 +33,9 @@ const ROW_REM: f64 = 1.25;
 const SHORTEST_EXAMPLE: usize = 4;
 /// Characters by whose width that of one is measured.
 const RULER: &str = "00000000000000000000";
+
+/// The character of the key Esc, by which some controllers are addressed.
+pub(super) const ESCAPE: char = '\u{1b}';
 
 /// The terminal.
 #[component]
@@ -58,6 +62,7 @@ pub(super) fn Terminal(store: Store) -> impl IntoView {
             on:focusout=move |_| store.typing.set(false)>
             <header class="panel-head">
                 <h2 id="terminal-title">"Terminal"</h2>
+                <ToFront store />
                 <tools::Tools store />
             </header>
             <tools::Notices store />
@@ -261,10 +266,18 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
         true => "characters",
         false => "none",
     };
+    let needs_escape = Memo::new(move |_| {
+        let mut steps = store.kind().first_steps.iter();
+        steps.any(|step| matches!(step, FirstStep::Type(line, _) if line.contains(ESCAPE)))
+    });
     let example = move || {
         let mut steps = store.kind().first_steps.iter();
         steps.find_map(|step| match step {
-            FirstStep::Type(line, _) if line.len() >= SHORTEST_EXAMPLE => Some(*line),
+            FirstStep::Type(line, _)
+                if !line.contains(ESCAPE) && line.len() >= SHORTEST_EXAMPLE =>
+            {
+                Some(*line)
+            }
             _ => None,
         })
     };
@@ -273,6 +286,9 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
             <input class="field" type="text" autocomplete="off" autocapitalize=capitals
                 spellcheck="false" enterkeyhint="send" aria-label="A line for the controller"
                 {..custom_attribute("autocorrect", "off")} placeholder=example bind:value=line />
+            <Show when=move || needs_escape.get()>
+                <button type="button" class="button" on:click=move |_| store.type_text(ESCAPE.to_string())>"Esc"</button>
+            </Show>
             <button type="button" class="button" on:click=move |_| store.send(ToWorker::Stop)>"Ctrl-C"</button>
             <button type="submit" class="button">"Send"</button>
         </form>

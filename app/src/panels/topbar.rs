@@ -9,10 +9,12 @@ use super::controller::ControllerChoice;
 use super::dialog::Dialog;
 use super::estop::EStop;
 use super::frame;
+use super::front;
 use super::project::ProjectMenu;
+use super::terminal::ESCAPE;
 use crate::protocol::{Speed, ToWorker};
 use crate::state::keys::{Press, Shortcut, shortcut};
-use crate::state::layout::{Layout, Panel};
+use crate::state::layout::Panel;
 use crate::state::{Device, Store, words};
 use crate::storage::Keeper;
 
@@ -79,8 +81,14 @@ fn press(store: Store, event: &KeyboardEvent) {
 /// Starts the program, and where only the program is in sight shows what it does.
 fn run(store: Store) {
     store.run();
-    if frame::is_narrow() && store.layout.with_untracked(Layout::shown) == Panel::Program {
-        store.layout.update(|layout| layout.show(Panel::Terminal));
+    if frame::is_narrow() && untrack(|| frame::shown(store)) == Panel::Program {
+        let has_front = untrack(|| store.kind().face.is_some());
+        let panel = if has_front {
+            Panel::Front
+        } else {
+            Panel::Terminal
+        };
+        store.layout.update(|layout| layout.show(panel));
     }
 }
 
@@ -92,12 +100,12 @@ fn Program(store: Store) -> impl IntoView {
     let cannot_step = Memo::new(move |_| store.device.with(|device| !device.can_step()));
     view! {
         <button type="button" class="button primary" disabled=off
-            title="Loads the program and types RUN on the console (F5)" on:click=move |_| run(store)>
+            title="Loads the program and starts it from the console (F5)" on:click=move |_| run(store)>
             <span class="icon run" aria-hidden="true"></span>"Run"
         </button>
         <div class="group" role="group" aria-label="The program that runs">
             <button type="button" class="button stop" disabled=off
-                title="Sends Ctrl-C to the console (Shift+F5)" on:click=move |_| store.send(ToWorker::Stop)>
+                title="Stops it from the console (Shift+F5)" on:click=move |_| store.send(ToWorker::Stop)>
                 <span class="icon stop" aria-hidden="true"></span>"Stop"
             </button>
             <button type="button" class="button pause" class:held=frozen
@@ -179,7 +187,12 @@ fn Help(store: Store) -> impl IntoView {
     let row = |(key, what)| view! { <dt><kbd>{key}</kbd></dt><dd>{what}</dd> };
     let step = |step: &FirstStep| {
         match *step {
-        FirstStep::Type(line, what) => view! { <li><code>{line}</code><span>{what}</span></li> }.into_any(),
+        FirstStep::Type(line, what) => {
+            // A key, not a character of the line.
+            let escape = line.contains(ESCAPE).then(|| view! { <kbd>"Esc"</kbd>" " });
+            let rest = line.replace(ESCAPE, "");
+            view! { <li><code>{escape}{rest}</code><span>{what}</span></li> }.into_any()
+        }
         FirstStep::PowerCycle => {
             view! { <li><strong>"Power"</strong><span>"press it twice: off, and on again"</span></li> }.into_any()
         }
@@ -191,6 +204,7 @@ fn Help(store: Store) -> impl IntoView {
                 and starts it."</p>
             <p>"The terminal is its console: what you type there goes to the controller, character by character."</p>
             <p>"The scope draws what the axis does."</p>
+            {kind.face.map(|face| view! { <front::Help face /> })}
             <h3>"A program of your own, typed in the terminal"</h3>
             <ol class="steps-help">{kind.first_steps.iter().map(step).collect_view()}</ol>
             <h3>"Keys"</h3>

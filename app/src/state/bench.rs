@@ -97,7 +97,10 @@ impl Store {
         };
         if kind.id != untrack(|| self.kind().id) {
             self.clear_bench(kind, desk.settings);
-        } else if self.settings.with_untracked(|settings| *settings != desk.settings) {
+        } else if self
+            .settings
+            .with_untracked(|settings| *settings != desk.settings)
+        {
             self.settings.set(desk.settings);
             self.start_worker();
         }

@@ -1,6 +1,6 @@
 //! The controller as the page last heard of it.
 
-use motionbench_core::controller::{RunState, Status};
+use motionbench_core::controller::{Panel, RunState, Status};
 use motionbench_core::exec::Wait;
 use motionbench_core::serial::{LineSettings, Parity};
 use motionbench_core::time::Nanos;
@@ -20,6 +20,8 @@ pub struct Device {
     pub console: Option<LineSettings>,
     /// What it does; `None` until it is known.
     pub status: Option<Status>,
+    /// What its front panel shows, where it has one.
+    pub panel: Option<Panel>,
     /// Simulated time.
     pub now: Nanos,
     /// The simulation speed asked for.
@@ -56,6 +58,7 @@ impl Default for Device {
             line: None,
             console: None,
             status: None,
+            panel: None,
             now: Nanos::ZERO,
             speed: Speed::Times(1.0),
             reached: 0.0,
@@ -78,6 +81,7 @@ impl Device {
             }
             News::Frame(frame, _) => {
                 self.status = Some(frame.status.clone());
+                self.panel.clone_from(&frame.panel);
                 self.now = frame.now;
                 self.reached = frame.reached;
                 self.pending = frame.pending;

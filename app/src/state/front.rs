@@ -211,7 +211,10 @@ mod tests {
         let mut held = Held::default();
         let typed = || Hand::Typed("ArrowUp".to_owned());
         assert!(held.press(Hand::Pointer(1), "UP"));
-        assert!(!held.press(Hand::Pointer(1), "DOWN"), "a finger has one key");
+        assert!(
+            !held.press(Hand::Pointer(1), "DOWN"),
+            "a finger has one key"
+        );
         assert!(!held.press(typed(), "UP"), "it is down");
         assert!(held.press(Hand::Pointer(2), "SHIFT"));
         assert_eq!(held.release(&Hand::Pointer(1)), None);
@@ -232,7 +235,9 @@ mod tests {
         let mut settings = Settings::new();
         let switches = |settings: &Settings| {
             let number = number(settings, address, binary);
-            (0..5).map(|place| is_on(binary, number, place)).collect::<Vec<_>>()
+            (0..5)
+                .map(|place| is_on(binary, number, place))
+                .collect::<Vec<_>>()
         };
         assert_eq!(switches(&settings), [true, true, true, true, false]);
         for place in 0..4 {
@@ -241,7 +246,9 @@ mod tests {
         }
         assert_eq!(options(&settings), ["address=29"]);
         assert!(turn(&mut settings, address, binary, 4), "30 is the highest");
-        assert!(turn(&mut settings, address, binary, 3) && number(&settings, address, binary) == 30);
+        assert!(
+            turn(&mut settings, address, binary, 3) && number(&settings, address, binary) == 30
+        );
         assert!(!turn(&mut settings, address, binary, 4), "31 is not used");
         assert!(can_be_set(kind("unidex3").unwrap(), &settings));
     }
@@ -256,7 +263,10 @@ mod tests {
         assert_eq!(chosen(&settings, drives, words), 0);
         choose(&mut settings, drives, words[4].1);
         assert_eq!(chosen(&settings, drives, words), 4);
-        assert_eq!(options(&settings), ["drive=stepper", "home=software", "home-y=ccw"]);
+        assert_eq!(
+            options(&settings),
+            ["drive=stepper", "home=software", "home-y=ccw"]
+        );
         assert!(can_be_set(unidex, &settings));
         assert!(!can_be_set(kind("mc600").unwrap(), &settings));
         choose(&mut settings, drives, "");

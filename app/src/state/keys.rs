@@ -34,6 +34,7 @@ pub fn stroke(press: Press) -> Stroke {
         ("Enter", false, false) => Stroke::Send('\r'),
         ("Backspace", false, false) => Stroke::Send('\x08'),
         ("Delete", false, false) => Stroke::Send('\x7f'),
+        ("Escape", false, false) => Stroke::Send('\x1b'),
         ("PageUp", false, false) => Stroke::Scroll(-1),
         ("PageDown", false, false) => Stroke::Scroll(1),
         ("c", true, false) if !press.selection && !press.shift => Stroke::Stop,

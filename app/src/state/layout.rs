@@ -1,7 +1,7 @@
 //! How the page is laid out: which panels there are, which of them are folded away, and how they share the room.
 //!
 //! The program stands on the left; on the right the terminal stands above the scope, which has the inputs and outputs.
-//! Where there is room for one panel alone, it is the one that is `shown`.
+//! Where the controller has a front panel, either that or the terminal stands above the scope. Where there is room for one panel alone, it is the one that is `shown`.
 
 pub use super::project::Layout;
 
@@ -10,6 +10,7 @@ pub use super::project::Layout;
 #[allow(missing_docs)]
 pub enum Panel {
     Program,
+    Front,
     Terminal,
     Scope,
 }
@@ -21,6 +22,8 @@ pub enum Divider {
     Program,
     /// Between the terminal and the scope.
     Terminal,
+    /// Between the front panel, or the terminal in its place, and the scope.
+    Front,
 }
 
 /// What a panel has of the room at least, in thousandths.
@@ -32,12 +35,13 @@ pub const STEP: u16 = 25;
 
 impl Panel {
     /// All there are, in the order of the page.
-    pub const ALL: [Panel; 3] = [Panel::Program, Panel::Terminal, Panel::Scope];
+    pub const ALL: [Panel; 4] = [Panel::Program, Panel::Front, Panel::Terminal, Panel::Scope];
 
     /// In a layout.
     pub fn name(self) -> &'static str {
         match self {
             Panel::Program => "program",
+            Panel::Front => "front",
             Panel::Terminal => "terminal",
             Panel::Scope => "scope",
         }
@@ -47,6 +51,7 @@ impl Panel {
     pub fn title(self) -> &'static str {
         match self {
             Panel::Program => "Program",
+            Panel::Front => "Panel",
             Panel::Terminal => "Terminal",
             Panel::Scope => "Scope",
         }
@@ -59,6 +64,7 @@ impl Divider {
         match self {
             Divider::Program => "program",
             Divider::Terminal => "terminal",
+            Divider::Front => "front",
         }
     }
 
@@ -67,6 +73,7 @@ impl Divider {
         match self {
             Divider::Program => 450,
             Divider::Terminal => 360,
+            Divider::Front => 580,
         }
     }
 }
@@ -89,27 +96,44 @@ impl Layout {
         self.folded.contains(panel.name())
     }
 
-    /// Folds a panel away, or opens it. Terminal and scope are not both folded: one has the room of the other.
+    /// Folds a panel away, or opens it. A front panel has the terminal's place. Terminal and scope are not both folded: one has the room of the other.
     pub fn fold(&mut self, panel: Panel, folded: bool) {
+        let panel = match panel {
+            Panel::Front => Panel::Terminal,
+            panel => panel,
+        };
         if !folded {
             self.folded.remove(panel.name());
             return;
         }
         self.folded.insert(panel.name().to_owned());
         match panel {
-            Panel::Program => {}
+            Panel::Program | Panel::Front => {}
             Panel::Terminal => self.fold(Panel::Scope, false),
             Panel::Scope => self.fold(Panel::Terminal, false),
         }
     }
 
-    /// The panel that is shown where there is room for one.
-    pub fn shown(&self) -> Panel {
+    /// The panel that is shown where there is room for one, of a controller that has a front panel or not.
+    pub fn shown(&self, has_front: bool) -> Panel {
+        let usual = if has_front {
+            Panel::Front
+        } else {
+            Panel::Terminal
+        };
         let shown = self.shown.as_deref();
         let named = Panel::ALL
             .into_iter()
             .find(|panel| shown == Some(panel.name()));
-        named.unwrap_or(Panel::Terminal)
+        match named {
+            None | Some(Panel::Front) => usual,
+            Some(panel) => panel,
+        }
+    }
+
+    /// Whether the front panel stands above the scope, if there is one.
+    pub fn is_front_up(&self) -> bool {
+        self.shown(true) != Panel::Terminal
     }
 
     /// Brings a panel into sight.
@@ -157,12 +181,24 @@ mod tests {
     #[test]
     fn what_is_shown_is_open() {
         let mut layout = Layout::default();
-        assert_eq!(layout.shown(), Panel::Terminal);
+        assert_eq!(layout.shown(false), Panel::Terminal);
         layout.fold(Panel::Program, true);
         layout.show(Panel::Program);
-        assert_eq!(layout.shown(), Panel::Program);
+        assert_eq!(layout.shown(false), Panel::Program);
         assert!(!layout.is_folded(Panel::Program));
         layout.shown = Some("of another version".to_owned());
-        assert_eq!(layout.shown(), Panel::Terminal);
+        assert_eq!(layout.shown(false), Panel::Terminal);
+    }
+
+    #[test]
+    fn a_front_panel_stands_in_the_terminals_place() {
+        let mut layout = Layout::default();
+        assert_eq!(layout.shown(true), Panel::Front);
+        layout.show(Panel::Terminal);
+        assert!(!layout.is_front_up());
+        layout.fold(Panel::Terminal, true);
+        layout.show(Panel::Front);
+        assert!(layout.is_front_up() && !layout.is_folded(Panel::Terminal));
+        assert_eq!(layout.shown(false), Panel::Terminal, "another has none");
     }
 }

@@ -251,10 +251,15 @@ impl Project {
             return Err(format!("there is no controller {start}"));
         }
         let settings = work.others.iter().map(|desk| &desk.settings);
-        let set = others().chain([device]).zip(settings.chain([&work.settings]));
+        let set = others()
+            .chain([device])
+            .zip(settings.chain([&work.settings]));
         for (device, settings) in set {
             if !kind(&device.controller).is_some_and(|kind| front::can_be_set(kind, settings)) {
-                return Err(format!("a {} cannot be set like its switches", device.controller));
+                return Err(format!(
+                    "a {} cannot be set like its switches",
+                    device.controller
+                ));
             }
         }
         if BTreeSet::from_iter(&controllers).len() < controllers.len() {
@@ -305,7 +310,10 @@ impl Work {
     /// The version of the format that has all of it.
     fn version(&self) -> u32 {
         let desks = || self.others.iter().map(|desk| &desk.settings);
-        if desks().chain([&self.settings]).any(|settings| !settings.is_empty()) {
+        if desks()
+            .chain([&self.settings])
+            .any(|settings| !settings.is_empty())
+        {
             VERSION
         } else if self.others.is_empty() && self.terminal.is_none() {
             FIRST_VERSION

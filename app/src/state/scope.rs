@@ -30,7 +30,7 @@ use window::Window;
 /// Rows kept: nearly nine minutes at 500 a second.
 const ROWS: usize = 1 << 18;
 /// What is demanded of the axis: motion is when one of these changes.
-const DEMANDED: [&str; 2] = ["x.command", "x.velocity"];
+const DEMANDED: [&str; 4] = ["x.command", "x.velocity", "y.command", "y.velocity"];
 
 /// The recording, and the picture of it.
 #[derive(Debug)]

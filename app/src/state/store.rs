@@ -38,6 +38,8 @@ pub struct Store {
     pub console: Console,
     /// The terminal has the keyboard.
     pub typing: RwSignal<bool>,
+    /// The front panel has the keyboard.
+    pub pressing: RwSignal<bool>,
     /// The editor has the keyboard.
     pub editing: RwSignal<bool>,
     /// Grows when the terminal looks different.
@@ -100,6 +102,7 @@ impl Store {
             layout: RwSignal::default(),
             console: Console::default(),
             typing: RwSignal::new(false),
+            pressing: RwSignal::new(false),
             editing: RwSignal::new(false),
             printed: RwSignal::new(0),
             wiring: RwSignal::new(Wiring::new(&KINDS[0])),

@@ -3,8 +3,8 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog;
 use motionbench_core::controller::{
-    Control, Controller, ControllerInfo, Debug, DebugReply, Input, Memory, Panel, RunState, Slot, Status,
-    Survives, TerminalSettings,
+    Control, Controller, ControllerInfo, Debug, DebugReply, Input, Memory, Panel, RunState, Slot,
+    Status, Survives, TerminalSettings,
 };
 use motionbench_core::language::latin1;
 use motionbench_core::probe::Probe;
@@ -334,7 +334,8 @@ impl Engine {
             now: self.now(),
             status: self.status(),
             panel: self.station().panel(),
-            received: (received != shown || self.terminal.line_feeds).then(|| latin1::text(&received)),
+            received: (received != shown || self.terminal.line_feeds)
+                .then(|| latin1::text(&received)),
             console: self.as_shown(&shown),
             pending: self.bench.host_pending(self.line) + self.sender.len(),
             samples,

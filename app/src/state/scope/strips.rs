@@ -65,17 +65,25 @@ const fn kind(
 }
 
 /// In the order of the strips. Smaller spans than these are noise to look at.
-const KINDS: [Kind; 10] = [
+const KINDS: [Kind; 18] = [
     kind("x.command", "position", "demanded", 1, 10.0, true),
     kind("x.position", "position", "actual", 2, 10.0, true),
     kind("x.velocity", "velocity", "demanded", 3, 100.0, true),
     kind("x.speed", "velocity", "actual", 2, 100.0, false),
     kind("x.acceleration", "acceleration", "", 1, 10.0, false),
+    kind("y.command", "position Y", "demanded", 1, 10.0, true),
+    kind("y.position", "position Y", "actual", 2, 10.0, true),
+    kind("y.velocity", "velocity Y", "demanded", 3, 100.0, true),
     kind("x.error", "following error", "", 4, 4.0, true),
+    kind("y.error", "following error Y", "", 4, 4.0, false),
+    kind("y.acceleration", "acceleration Y", "", 1, 10.0, false),
     kind("x.output", "torque", "", 3, 0.1, false),
+    kind("y.output", "torque Y", "", 3, 0.1, false),
     kind("x.shaft", "motor shaft", "", 4, 0.1, false),
     kind("inputs", "inputs", "", 1, 1.0, false),
     kind("outputs", "outputs", "", 3, 1.0, false),
+    kind("m", "M outputs", "", 3, 1.0, false),
+    kind("c", "C inputs", "", 1, 1.0, false),
 ];
 
 /// The unit of signals that hold bits.

@@ -1,0 +1,134 @@
+//! A controller that is a device of its own: its front panel, the switches and jumpers, the printer at its line.
+
+use leptos::prelude::*;
+use motionbench_core::controller::Face;
+
+mod device;
+mod hands;
+mod joystick;
+mod printer;
+mod rear;
+mod segments;
+
+use crate::state::Store;
+use crate::state::layout::Panel;
+
+/// What is shown of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Front,
+    Rear,
+    Printer,
+}
+
+/// What stands beside the device.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Tray {
+    Joystick,
+    Steps,
+}
+
+/// The panel of a controller that has a face.
+#[component]
+pub(super) fn Front(store: Store, face: &'static Face) -> impl IntoView {
+    let side = RwSignal::new(Side::Front);
+    let tray = RwSignal::new(None);
+    let shown = move || match side.get() {
+        Side::Front => view! { <device::Device store face tray /> }.into_any(),
+        Side::Rear => view! { <rear::Rear store face /> }.into_any(),
+        Side::Printer => view! { <printer::Printer store /> }.into_any(),
+    };
+    let tab = move |this: Side, title: &'static str| {
+        let current = move || (side.get() == this).then_some("true");
+        view! {
+            <button type="button" class="side" aria-current=current on:click=move |_| side.set(this)>{title}</button>
+        }
+    };
+    let tool = move |this: Tray, title: &'static str| {
+        let pressed = move || (tray.get() == Some(this)).to_string();
+        let turn =
+            move |_| tray.update(|tray| *tray = Some(this).filter(|this| *tray != Some(*this)));
+        view! {
+            <button type="button" class="tool" aria-pressed=pressed on:click=turn>{title}</button>
+        }
+    };
+    view! {
+        <section class="panel front" aria-labelledby="front-title" class:typing=store.pressing>
+            <header class="panel-head">
+                <h2 id="front-title" class="unseen">"Front panel"</h2>
+                <nav class="sides" aria-label="Sides of the controller">
+                    {tab(Side::Front, "Front")}
+                    {tab(Side::Rear, "Rear")}
+                    {tab(Side::Printer, "Printer")}
+                    <button type="button" class="side to-terminal"
+                        on:click=move |_| store.layout.update(|layout| layout.show(Panel::Terminal))>
+                        "Terminal"
+                    </button>
+                </nav>
+                <Show when=move || side.get() == Side::Front>
+                    <div class="tools" role="group" aria-label="Beside the panel">
+                        {tool(Tray::Joystick, "Joystick")}
+                        {tool(Tray::Steps, "First steps")}
+                    </div>
+                </Show>
+            </header>
+            {shown}
+        </section>
+    }
+}
+
+/// The way from the terminal to the front panel, where there is one.
+#[component]
+pub(super) fn ToFront(store: Store) -> impl IntoView {
+    let has_face = Memo::new(move |_| store.kind().face.is_some());
+    view! {
+        <Show when=move || has_face.get()>
+            <nav class="sides" aria-label="Terminal or panel">
+                <button type="button" class="side"
+                    on:click=move |_| store.layout.update(|layout| layout.show(Panel::Front))>"Panel"</button>
+                <button type="button" class="side" aria-current="true">"Terminal"</button>
+            </nav>
+        </Show>
+    }
+}
+
+/// What help says of the panel.
+#[component]
+pub(super) fn Help(face: &'static Face) -> impl IntoView {
+    let row = |(key, pressed): (&str, &'static str)| {
+        view! { <dt><kbd>{hands::words(key)}</kbd></dt><dd>{pressed}</dd> }
+    };
+    view! {
+        <h3>"A program of your own, by the keys of the front panel"</h3>
+        <Steps face />
+        <h3>"The front panel on the keyboard"</h3>
+        <p>"While it has the keyboard, letters, digits and signs press the keys that bear them, without SHIFT.
+            Two fingers may hold two keys. Other keys:"</p>
+        <dl class="keys-help">{hands::NAMED.map(row)}</dl>
+    }
+}
+
+/// The keys of a newcomer, and what they do.
+#[component]
+fn Steps(face: &'static Face) -> impl IntoView {
+    let key = |key: &str| {
+        let key = key.to_owned();
+        view! { <kbd>{key}</kbd>" " }
+    };
+    let step = move |&(keys, what): &(&'static str, &'static str)| {
+        let said = what.split('`').enumerate().map(|(place, part)| {
+            let part = part.to_owned();
+            match place % 2 {
+                0 => part.into_any(),
+                _ => view! { <code>{part}</code> }.into_any(),
+            }
+        });
+        view! {
+            <li>
+                <p class="keys-row">{keys.split(' ').map(key).collect_view()}</p>
+                <p class="muted">{said.collect_view()}</p>
+            </li>
+        }
+    };
+    view! { <ol class="panel-steps">{face.steps.iter().map(step).collect_view()}</ol> }
+}
