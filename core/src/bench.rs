@@ -4,11 +4,16 @@
 //! samples, and samples come in the order of the stations (the bus master first). What a sample sends acts at its own
 //! stamp, never inside the sample that made it. A clone of the bench is a checkpoint.
 
+mod bus;
+
+pub use bus::{BusView, BusWait};
+
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::catalog::Station;
 use crate::controller::{Controller, Input, Output, Ports, Refused, Sharing, Telegram};
+use crate::ieee488;
 use crate::probe::{ConsoleByte, MotionLog, Probe};
 use crate::serial::Flow;
 use crate::serial::{Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
@@ -26,6 +31,8 @@ pub struct Bench {
     now: Nanos,
     stations: Vec<Place>,
     lines: Vec<HostLine>,
+    /// The controller of the IEEE-488 bus, once a station has an interface to it.
+    bus: Option<ieee488::Controller>,
     events: BinaryHeap<Reverse<Event>>,
     sequence: u64,
 }
@@ -87,6 +94,7 @@ impl Ord for Event {
 /// What is due next.
 enum Due {
     Event,
+    Bus,
     Host(usize),
     Station(usize),
 }
@@ -117,6 +125,9 @@ impl Bench {
         };
         if let Some(line) = self.lines.get_mut(line) {
             line.chain.push(index);
+        }
+        if station.controller().ieee488().is_some() {
+            self.bus.get_or_insert_default();
         }
         self.stations.push(Place {
             name: name.to_owned(),
@@ -253,7 +264,8 @@ impl Bench {
     /// stations there may always be something.
     pub fn is_quiet(&self) -> bool {
         let is_telegram = |event: &Event| matches!(event.what, Passing::Telegram(_));
-        self.events.iter().all(|Reverse(event)| is_telegram(event))
+        self.is_bus_quiet()
+            && self.events.iter().all(|Reverse(event)| is_telegram(event))
             && self
                 .lines
                 .iter()
@@ -301,6 +313,9 @@ impl Bench {
                 first = Some((at, due));
             }
         };
+        if let Some(at) = self.bus_due() {
+            consider(at, Due::Bus);
+        }
         for (index, line) in self.lines.iter().enumerate() {
             if let Some(at) = line.transmitter.next_start(self.now) {
                 consider(at, Due::Host(index));
@@ -319,6 +334,7 @@ impl Bench {
                     self.deliver(event, probe);
                 }
             }
+            Due::Bus => self.act_on_bus(probe),
             Due::Host(index) => {
                 let now = self.now;
                 let line = self.lines.get_mut(index);

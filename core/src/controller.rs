@@ -1,6 +1,7 @@
 //! What every controller is to the bench: one trait, all of it required, and the plain data that passes through it.
 
 use crate::exec::Wait;
+use crate::ieee488;
 use crate::serial::{Frame, LineSettings};
 use crate::time::Nanos;
 
@@ -25,6 +26,10 @@ pub trait Controller {
     fn status(&self) -> Status;
     /// What its front panel shows; most controllers have none.
     fn panel(&self) -> Option<Panel> {
+        None
+    }
+    /// What it puts on the IEEE-488 bus; most controllers have no such interface.
+    fn ieee488(&self) -> Option<ieee488::Lines> {
         None
     }
     /// Breakpoints, stepping, reading and writing.
@@ -216,6 +221,8 @@ pub enum Input {
     },
     /// A message on a bus between stations.
     Telegram(Telegram),
+    /// A message of the controller of the IEEE-488 bus.
+    Ieee488(ieee488::Message),
     /// A panel key goes down or up.
     Key {
         /// By the legend.

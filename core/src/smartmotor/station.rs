@@ -104,6 +104,7 @@ impl Controller for SmartMotor {
                 self.motor.configure(&axis, &key, &value).map_err(Refused)
             }
             Input::Key { .. } => Err(Refused("smartmotor has no panel".to_owned())),
+            Input::Ieee488(_) => Err(Refused("smartmotor has no IEEE-488 bus".to_owned())),
             Input::Telegram(_) => Ok(()),
         }
     }

@@ -53,6 +53,10 @@ pub const OPTIONS: &[Opt] = &[
         help: "the last-device switch: yes (default) or no",
     },
     Opt {
+        key: "ppr",
+        help: "the parallel poll switches: 1 (default) to 8",
+    },
+    Opt {
         key: "oem",
         help: "the OEM jumper: in (default) or out",
     },
@@ -89,6 +93,8 @@ pub struct Options {
     pub config: Config,
     /// Device address.
     pub address: u8,
+    /// The data line that answers a parallel poll, 1 to 8.
+    pub poll_line: u8,
     /// Last-device switch.
     pub last: bool,
     /// OEM jumper at first.
@@ -114,6 +120,7 @@ impl Options {
             kilobytes: 4,
             config: Config::default(),
             address: 1,
+            poll_line: 1,
             last: true,
             oem_in: true,
             limit_goes_local: true,
@@ -138,6 +145,10 @@ impl Options {
             "address" => {
                 let address = value.parse().ok().filter(|address| *address <= 30);
                 self.address = address.ok_or("address is a number from 0 to 30")?;
+            }
+            "ppr" => {
+                let line = value.parse().ok().filter(|line| (1..=8).contains(line));
+                self.poll_line = line.ok_or("ppr is a number from 1 to 8")?;
             }
             "last" => self.last = yes_or_no(key, value)?,
             "oem" => self.oem_in = in_or_out(key, value)?,

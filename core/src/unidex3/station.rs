@@ -12,6 +12,7 @@ use crate::controller::{
     Panel, Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::exec;
+use crate::ieee488::Lines;
 use crate::language::{latin1, split_lines};
 use crate::serial::LineSettings;
 use crate::time::Nanos;
@@ -127,6 +128,10 @@ impl Controller for Unidex3 {
                 .map_err(Refused),
             Input::Key { key, down } => self.key(at, &key, down),
             Input::Telegram(_) => Ok(()),
+            Input::Ieee488(message) => {
+                self.bus_message(message);
+                Ok(())
+            }
         }
     }
 
@@ -190,7 +195,7 @@ impl Controller for Unidex3 {
             run: self.run_state(),
             line: self.device_line(),
             spent: self.credit.spent,
-            unread: self.line.unread() + self.remote.unread(),
+            unread: self.line.unread() + self.remote.unread() + self.unread_on_bus(),
             unsent: self.line.unsent(),
             moving: self.indexer.is_moving(),
             enabled: self.powered && self.indexer.is_enabled(),
@@ -203,6 +208,10 @@ impl Controller for Unidex3 {
 
     fn panel(&self) -> Option<Panel> {
         Some(self.shown())
+    }
+
+    fn ieee488(&self) -> Option<Lines> {
+        Some(self.bus_lines())
     }
 
     fn debug(&mut self, command: Debug) -> DebugReply {

@@ -147,7 +147,7 @@ impl Unidex3 {
         match self.link {
             // The controller has the unit, but a program that asks for a person is answered (4-10 E).
             Link::Remote if !waits_for_person || self.remote.is_requesting() => {
-                if key == Key::Remote && !self.executing {
+                if key == Key::Remote && !self.executing && !self.is_locked_out() {
                     self.remote_key(at);
                 }
                 return;
