@@ -5,6 +5,7 @@
 //! stamp, never inside the sample that made it. A clone of the bench is a checkpoint.
 
 mod bus;
+mod panel;
 
 pub use bus::{BusView, BusWait};
 
@@ -184,12 +185,16 @@ impl Bench {
         }
     }
 
-    /// Gives a station something from outside, now.
+    /// Gives a station something from outside, now. A key of a shared panel reaches the one that it is switched to.
     ///
     /// # Errors
     /// [`Refused`] if there is no such station, or it has no such thing.
     pub fn input(&mut self, station: usize, input: Input) -> Result<(), Refused> {
         let now = self.now;
+        let reached = self.at_shared_panel(station, &input);
+        if !reached.is_empty() {
+            return self.input_to(&reached, &input);
+        }
         match self.station_mut(station) {
             Some(station) => station.input(now, input),
             None => Err(Refused(format!("there is no station {station}"))),

@@ -1,7 +1,7 @@
 //! The one file that names every controller.
 
 use crate::controller::{
-    Controller, DiskInfo, FirstStep, Lamps, Opt, TerminalSettings, TextRules, Wired,
+    Controller, DiskInfo, FirstStep, Lamps, Opt, Setting, TerminalSettings, TextRules, Wired,
 };
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
@@ -74,6 +74,8 @@ pub struct Kind {
     pub inputs: &'static [Wired],
     /// Which of them lets the drive be enabled.
     pub enable_input: Option<usize>,
+    /// The switches and jumpers at the controller itself.
+    pub settings: &'static [Setting],
     /// The lamps at its outputs.
     pub lamps: Lamps,
     /// It has cam tables that [`crate::controller::Debug::Cam`] tells.
@@ -107,6 +109,7 @@ pub const KINDS: &[Kind] = &[
         enable: "MDRVEN()",
         inputs: mc600::wiring::INPUTS,
         enable_input: Some(mc600::wiring::ENABLE),
+        settings: &[],
         lamps: mc600::wiring::LAMPS,
         has_cam: true,
         disks: mc600::disks::DISKS,
@@ -136,6 +139,7 @@ pub const KINDS: &[Kind] = &[
         enable: "G",
         inputs: smartmotor::wiring::INPUTS,
         enable_input: None,
+        settings: &[],
         lamps: smartmotor::wiring::LAMPS,
         has_cam: false,
         disks: &[],
@@ -166,6 +170,7 @@ pub const KINDS: &[Kind] = &[
         enable: "I G10",
         inputs: unidex3::wiring::INPUTS,
         enable_input: None,
+        settings: unidex3::wiring::SETTINGS,
         lamps: unidex3::wiring::LAMPS,
         has_cam: false,
         disks: &[],

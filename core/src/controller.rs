@@ -24,7 +24,7 @@ pub trait Controller {
     fn record(&self, row: &mut Vec<f64>);
     /// Small plain data for every frame of a display; [`Debug::Read`] tells the rest.
     fn status(&self) -> Status;
-    /// What its front panel shows; most controllers have none.
+    /// What its front panel shows; most controllers have none, and a shared one may be switched to another.
     fn panel(&self) -> Option<Panel> {
         None
     }
@@ -79,6 +79,9 @@ pub struct ControllerInfo {
     pub sample: Nanos,
     /// How stations of its kind share a host line.
     pub sharing: Sharing,
+    /// The wire of the selector of a front panel that it shares: keys and the selector reach all stations that have it,
+    /// and the one that is selected has [`Controller::panel`].
+    pub panel_selector: Option<&'static str>,
 }
 
 /// How stations of a kind share the host's serial line.
@@ -173,6 +176,19 @@ pub struct Range {
     pub step: f64,
     /// For people: `V`.
     pub unit: &'static str,
+}
+
+/// A switch or jumper at the controller that a person sets, by the wire of its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setting {
+    /// For people: `Device address`.
+    pub name: &'static str,
+    /// As one of [`ControllerInfo::wires`].
+    pub wire: &'static str,
+    /// Its positions: the wire's value, and what a person reads there.
+    pub positions: &'static [(f64, &'static str)],
+    /// How it stands on a new bench.
+    pub at: f64,
 }
 
 /// Lamps that a recorded signal lights.

@@ -57,6 +57,7 @@ pub(super) fn info() -> ControllerInfo {
         keys: Vec::new(),
         sample: SAMPLE,
         sharing: Sharing::Alone,
+        panel_selector: None,
     }
 }
 

@@ -60,6 +60,7 @@ pub(super) fn info() -> ControllerInfo {
         keys: Vec::new(),
         sample: SAMPLE,
         sharing: Sharing::Chain,
+        panel_selector: None,
     }
 }
 

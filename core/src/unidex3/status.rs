@@ -79,7 +79,7 @@ impl Unidex3 {
             (4, homes.map(|directions| directions.x) == backward),
             (3, homes.map(|directions| directions.y) == backward),
             (2, !self.options.limit_goes_local),
-            (1, self.options.keyboard),
+            (1, self.options.keyboard != 0),
         ])
     }
 

@@ -125,7 +125,8 @@ impl Unidex3 {
             return Err(Refused(format!("unidex3 has no key '{name}'")));
         };
         let word = keys::word(key, shifted || (self.panel.shift && !self.panel.message));
-        if !self.powered || (word.is_some() && word == self.options.without) {
+        let reached = self.powered && self.has_keyboard();
+        if !reached || (word.is_some() && word == self.options.without) {
             return Ok(());
         }
         match (key, down) {

@@ -12,7 +12,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use super::{Link, Unidex3};
-use crate::ieee488::Device;
+use crate::ieee488::{Device, LAST_ADDRESS};
 use crate::time::Nanos;
 pub(super) use commands::word;
 use edit::OpenEdit;
@@ -94,8 +94,8 @@ pub struct Remote {
     lists: bool,
     /// What V has found, until it is polled.
     pub test_result: Option<u8>,
-    /// The RTS lines of the units behind in the chain, combined; `None` if there is none.
-    behind: Option<bool>,
+    /// The RTS lines of the units behind in the chain, combined; an open input is low.
+    behind: bool,
 }
 
 impl Default for Remote {
@@ -122,7 +122,7 @@ impl Default for Remote {
             waiting: VecDeque::new(),
             lists: false,
             test_result: None,
-            behind: None,
+            behind: false,
         }
     }
 }
@@ -202,20 +202,20 @@ impl Remote {
         self.waiting.len()
     }
 
-    /// The RTS line: this unit's, and those behind it (4-4 B).
-    pub fn rts(&self) -> bool {
+    /// The RTS line: this unit's, and those behind it unless it is the last device (4-4 B, D331).
+    pub fn rts(&self, last: bool) -> bool {
         let by_line = self.interface == Interface::Serial && self.string.is_none();
         let own = self.requesting && by_line;
-        match self.behind {
-            None => own,
-            Some(behind) if self.parallel => own || behind,
-            Some(behind) => own && behind,
+        match (last, self.parallel) {
+            (true, _) => own,
+            (false, true) => own || self.behind,
+            (false, false) => own && self.behind,
         }
     }
 
     /// The RTS line of the next unit in the chain.
     pub fn set_behind(&mut self, rts: bool) {
-        self.behind = Some(rts);
+        self.behind = rts;
     }
 }
 
@@ -324,7 +324,10 @@ impl Unidex3 {
             }
             return;
         }
-        let number = |part: &&[u8]| std::str::from_utf8(part).ok()?.parse::<u8>().ok();
+        let number = |part: &&[u8]| {
+            let number = std::str::from_utf8(part).ok()?.parse::<u8>().ok()?;
+            (number <= LAST_ADDRESS).then_some(number)
+        };
         let mut addresses: Vec<u8> = parts.iter().filter_map(number).collect();
         addresses.sort_unstable();
         addresses.dedup();
