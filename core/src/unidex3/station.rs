@@ -396,7 +396,7 @@ impl Unidex3 {
         Ok(())
     }
 
-    /// A register, the flags, the outputs, or what the line and the panel show.
+    /// A register, the flags, the outputs, a status byte, or what the line and the panel show.
     fn read(&self, name: &str) -> Option<Value> {
         if let Some(register) = Register::from_name(name.as_bytes()) {
             #[allow(clippy::cast_precision_loss)] // to 2,000,000,000
@@ -416,6 +416,11 @@ impl Unidex3 {
             "free" => Some(Value::Number(f64::from(
                 u32::try_from(self.memory.free()).ok()?,
             ))),
+            _ if name.starts_with("status") => {
+                let place: usize = name.strip_prefix("status")?.parse().ok()?;
+                let byte = *self.status_bytes().get(place.checked_sub(1)?)?;
+                Some(Value::Number(f64::from(byte)))
+            }
             _ => match name.get(..1)? {
                 "M" => bit(self.run.outputs, name.get(1..)?),
                 "C" => {

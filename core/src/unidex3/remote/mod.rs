@@ -22,7 +22,7 @@ const DELETE: u8 = 0x7F;
 /// Characters of a command; the immediate mode's block is the longest.
 const LONGEST_LINE: usize = 300;
 /// Commands that wait for a poll.
-const MOST_WAITING: usize = 32;
+const MOST_WAITING: usize = 4096;
 /// Bytes of replies beyond which the next is not begun.
 const MOST_UNSENT: usize = 1 << 15;
 /// Bytes that the firmware takes in one sample: more than any line brings.
@@ -264,6 +264,7 @@ impl Unidex3 {
             && !in_line
             && byte != ESCAPE
             && self.remote.edit.is_some()
+            && self.remote.waiting.is_empty()
             && !self.is_command(byte)
         {
             return self.edit_byte(byte);
@@ -393,8 +394,13 @@ impl Unidex3 {
             && let Some(line) = self.remote.waiting.front()
             && !self.must_wait(line)
         {
-            if let Some(line) = self.remote.waiting.pop_front() {
-                self.command(now, &line);
+            let Some(line) = self.remote.waiting.pop_front() else {
+                return;
+            };
+            let commands = line.first().is_some_and(|&byte| self.is_command(byte));
+            match self.remote.edit.is_some() && !commands {
+                true => self.edit_line(&line),
+                false => self.command(now, &line),
             }
         }
     }
