@@ -87,6 +87,8 @@ pub enum Code {
     Add,
     /// `rc = ra - rb`
     Subtract,
+    /// `rc = rc + the number whose halves are a and b`: counting is the commonest of all sums
+    Count,
     /// `rc = ra * rb`
     Multiply,
     /// `rc = ra / rb`, toward zero; by zero it is 0 and sets Bd

@@ -249,6 +249,11 @@ impl Compiler {
     fn assign(&mut self, target: Target, expr: &Expr) {
         match target {
             Target::Place(Place::Variable(register)) => {
+                if let Some(number) = counts(register, expr) {
+                    let (high, low) = halves(number);
+                    self.emit(Code::Count, high, low, register);
+                    return;
+                }
                 let before = self.ops.len();
                 let value = self.value(expr, Some(register));
                 // `a=a` is a statement, too.
@@ -391,6 +396,16 @@ impl Compiler {
             }
         }
         self.slow(Slow::PrintEnd(channel), 0, 0);
+    }
+}
+
+/// What an expression adds to the variable that it is assigned to, if it is a number and it does no more.
+fn counts(variable: u16, expr: &Expr) -> Option<i32> {
+    match expr.rest? {
+        _ if expr.left != Operand::Place(Place::Variable(variable)) => None,
+        (Operator::Add, Operand::Number(number)) => Some(number),
+        (Operator::Subtract, Operand::Number(number)) => number.checked_neg(),
+        _ => None,
     }
 }
 
