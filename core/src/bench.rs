@@ -8,7 +8,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::catalog::Station;
-use crate::controller::{Controller, Input, Output, Ports, Refused, Telegram};
+use crate::controller::{Controller, Input, Output, Ports, Refused, Sharing, Telegram};
 use crate::probe::{ConsoleByte, MotionLog, Probe};
 use crate::serial::Flow;
 use crate::serial::{Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
@@ -39,12 +39,13 @@ struct Place {
     line: usize,
 }
 
-/// A serial line between a host and one or more stations in a chain: host, first, second, ..., host.
+/// A serial line between a host and one or more stations: in a chain (host, first, second, ..., host), or on a bus.
 #[derive(Debug, Clone)]
 struct HostLine {
     transmitter: Transmitter,
     receiver: Receiver,
     chain: Vec<usize>,
+    bus: bool,
 }
 
 /// Something on its way.
@@ -66,6 +67,7 @@ enum Destination {
 enum Passing {
     Frame(u8, Frame),
     Telegram(Telegram),
+    Wire(String, f64),
 }
 
 impl Eq for Event {}
@@ -102,11 +104,13 @@ impl Bench {
         let line = match chain.filter(|&line| line < self.lines.len()) {
             Some(line) => line,
             None => {
-                let settings = station.controller().info().line;
+                let info = station.controller().info();
+                let (settings, bus) = (info.line, info.sharing == Sharing::Bus);
                 self.lines.push(HostLine {
                     transmitter: Transmitter::new(settings),
                     receiver: Receiver::new(settings),
                     chain: Vec::new(),
+                    bus,
                 });
                 self.lines.len() - 1
             }
@@ -320,13 +324,15 @@ impl Bench {
                 let line = self.lines.get_mut(index);
                 let begun = line.and_then(|line| {
                     let frame = line.transmitter.next_frame(now, Nanos::MAX)?;
-                    Some((
-                        frame,
-                        line.chain.first().map(|&first| Destination::Station(first)),
-                    ))
+                    let hear = if line.bus { line.chain.len() } else { 1 };
+                    let hearers = line.chain.iter().take(hear);
+                    Some((frame, hearers.copied().collect::<Vec<usize>>()))
                 });
-                if let Some((frame, Some(to))) = begun {
-                    self.schedule(frame.end(), to, Passing::Frame(0, frame));
+                if let Some((frame, hearers)) = begun {
+                    for station in hearers {
+                        let to = Destination::Station(station);
+                        self.schedule(frame.end(), to, Passing::Frame(0, frame));
+                    }
                 }
             }
             Due::Station(index) => self.sample(index, ports, probe),
@@ -375,6 +381,7 @@ impl Bench {
                 };
                 let position = line.chain.iter().position(|&station| station == from);
                 let next = position.and_then(|position| line.chain.get(position + 1));
+                let next = next.filter(|_| !line.bus);
                 let to = next.map_or(Destination::Host(place.line), |&station| {
                     Destination::Station(station)
                 });
@@ -389,9 +396,22 @@ impl Bench {
                     );
                 }
             }
-            // Nothing is wired between stations yet.
-            Output::Frame { .. } | Output::Wire { .. } => {}
+            Output::Wire { name, value } => {
+                if let Some(before) = self.before_on_bus(from) {
+                    let to = Destination::Station(before);
+                    self.schedule(at, to, Passing::Wire(name, value));
+                }
+            }
+            Output::Frame { .. } => {}
         }
+    }
+
+    /// The station nearer to the host on a bus.
+    fn before_on_bus(&self, station: usize) -> Option<usize> {
+        let line = self.lines.get(self.line_of(station)?)?;
+        let position = line.chain.iter().position(|&other| other == station)?;
+        let before = line.chain.get(position.checked_sub(1)?);
+        before.copied().filter(|_| line.bus)
     }
 
     fn schedule(&mut self, at: Nanos, to: Destination, what: Passing) {
@@ -419,7 +439,10 @@ impl Bench {
                 }
                 self.receive(line, probe);
             }
-            (Destination::Host(_), Passing::Telegram(_)) => {}
+            (Destination::Station(index), Passing::Wire(name, value)) => {
+                let _ = self.input(index, Input::Wire { name, value });
+            }
+            (Destination::Host(_), Passing::Telegram(_) | Passing::Wire(..)) => {}
         }
     }
 

@@ -6,6 +6,7 @@ use crate::controller::{
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
 use crate::smartmotor::{self, SmartMotor};
+use crate::unidex3::{self, Unidex3};
 
 /// A station on the bench. An enum, not a box of `dyn`, so that the bench is `Clone` and a checkpoint is a copy.
 #[derive(Debug, Clone)]
@@ -13,6 +14,7 @@ use crate::smartmotor::{self, SmartMotor};
 pub enum Station {
     Mc600(Box<Mc600>),
     SmartMotor(Box<SmartMotor>),
+    Unidex3(Box<Unidex3>),
 }
 
 impl Station {
@@ -21,6 +23,7 @@ impl Station {
         match self {
             Station::Mc600(station) => station.as_ref(),
             Station::SmartMotor(station) => station.as_ref(),
+            Station::Unidex3(station) => station.as_ref(),
         }
     }
 
@@ -29,6 +32,7 @@ impl Station {
         match self {
             Station::Mc600(station) => station.as_mut(),
             Station::SmartMotor(station) => station.as_mut(),
+            Station::Unidex3(station) => station.as_mut(),
         }
     }
 }
@@ -139,6 +143,36 @@ pub const KINDS: &[Kind] = &[
         terminal: TerminalSettings {
             local_echo: true,
             line_feeds: true,
+        },
+    },
+    Kind {
+        id: "unidex3",
+        name: "Aerotech Unidex IIIa",
+        options: unidex3::OPTIONS,
+        create: |options| Ok(Station::Unidex3(Box::new(Unidex3::new(options)?))),
+        diagnose: unidex3::diagnose::diagnose,
+        highlight: unidex3::diagnose::highlight,
+        words: unidex3::diagnose::words,
+        keywords: unidex3::keywords::rows,
+        text: TextRules {
+            numbered: false,
+            ignores_case: false,
+            keeps_comments: false,
+            empty: "",
+            device_lines: unidex3::diagnose::device_lines,
+        },
+        first_program: unidex3::first_steps::PROGRAM,
+        first_steps: unidex3::first_steps::STEPS,
+        enable: "I G10",
+        inputs: unidex3::wiring::INPUTS,
+        enable_input: None,
+        lamps: unidex3::wiring::LAMPS,
+        has_cam: false,
+        disks: &[],
+        // It does not echo.
+        terminal: TerminalSettings {
+            local_echo: true,
+            line_feeds: false,
         },
     },
 ];

@@ -23,6 +23,10 @@ pub trait Controller {
     fn record(&self, row: &mut Vec<f64>);
     /// Small plain data for every frame of a display; [`Debug::Read`] tells the rest.
     fn status(&self) -> Status;
+    /// What its front panel shows; most controllers have none.
+    fn panel(&self) -> Option<Panel> {
+        None
+    }
     /// Breakpoints, stepping, reading and writing.
     fn debug(&mut self, command: Debug) -> DebugReply;
     /// Puts text where the controller keeps programs or files, the way its user would, but taking no time.
@@ -68,8 +72,19 @@ pub struct ControllerInfo {
     pub keys: Vec<&'static str>,
     /// Time between samples.
     pub sample: Nanos,
-    /// It passes on what comes in: stations of its kind share one host line, one behind the other.
-    pub chained: bool,
+    /// How stations of its kind share a host line.
+    pub sharing: Sharing,
+}
+
+/// How stations of a kind share the host's serial line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sharing {
+    /// Each has a line of its own.
+    Alone,
+    /// One behind the other: each passes on what comes in.
+    Chain,
+    /// All hear the host, and the host hears all. A level that one puts out reaches the one before it.
+    Bus,
 }
 
 /// An option of a kind of controller.
@@ -331,6 +346,27 @@ pub struct Status {
     pub revision: u64,
 }
 
+/// What a front panel shows; its keys are [`ControllerInfo::keys`]. All blank while the station is off.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+pub struct Panel {
+    /// The text display at its full width, blanks and all.
+    pub display: String,
+    /// Every LED by its legend.
+    pub leds: Vec<(String, Led)>,
+    /// The numeric displays by their axes; blank while dark.
+    pub tracking: Vec<(String, String)>,
+}
+
+/// How an LED stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[allow(missing_docs)]
+pub enum Led {
+    #[default]
+    Off,
+    On,
+    Flashing,
+}
+
 /// What the program does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum RunState {
@@ -351,6 +387,19 @@ pub enum RunState {
 pub enum Debug {
     /// These device lines and no others stop the program before they run.
     Breakpoints(Vec<u32>),
+    /// Holds the program, or lets it go.
+    Control(Control),
+    /// The value of a variable, element or signal by the controller's own name.
+    Read(String),
+    /// Sets a variable.
+    Write(String, Value),
+    /// The cam table that is in use.
+    Cam,
+}
+
+/// How a debugger lets a program run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
     /// Holds the program before its next statement; motion goes on.
     Pause,
     /// Lets a held program go.
@@ -359,12 +408,6 @@ pub enum Debug {
     Step,
     /// Runs a held program until [`Status::spent`] is at least this, then holds it again.
     RunTo(u64),
-    /// The value of a variable, element or signal by the controller's own name.
-    Read(String),
-    /// Sets a variable.
-    Write(String, Value),
-    /// The cam table that is in use.
-    Cam,
 }
 
 /// What a debugger is told.

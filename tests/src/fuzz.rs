@@ -15,17 +15,23 @@ use motionbench_core::time::Nanos;
 #[path = "fuzz/smartmotor.rs"]
 mod smartmotor;
 
+#[path = "fuzz/unidex3.rs"]
+mod unidex3;
+
 pub use smartmotor::{smartmotor_serial, smartmotor_text};
+pub use unidex3::{unidex3_keys, unidex3_text};
 
 /// A fuzzer's name and what it does with bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// Every fuzzer.
-pub const TARGETS: [Target; 5] = [
+pub const TARGETS: [Target; 7] = [
     ("mc600_text", mc600_text),
     ("mc600_console", mc600_console),
     ("smartmotor_text", smartmotor_text),
     ("smartmotor_serial", smartmotor_serial),
+    ("unidex3_text", unidex3_text),
+    ("unidex3_keys", unidex3_keys),
     ("scenario", scenario),
 ];
 

@@ -25,6 +25,8 @@ pub fn lines(name: &str) -> Vec<String> {
             "program" => in_program = true,
             "type" => lines.push(rest.to_owned()),
             "send" => lines.extend(sent(rest)),
+            "press" => lines.push(rest.to_owned()),
+            "hold" => lines.extend(rest.split(' ').next().map(str::to_owned)),
             "load" | "file" => lines.extend(loaded(name, rest)),
             _ => {}
         }

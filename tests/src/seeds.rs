@@ -39,6 +39,24 @@ pub fn seeds(target: &str) -> Vec<(String, Vec<u8>)> {
             let seeds = of("smartmotor", "\r", sent);
             seeds.into_iter().chain(outside).collect()
         }
+        "unidex3_text" => of("unidex3", "\n", |text| text.into_bytes()),
+        "unidex3_keys" => {
+            // Each as keys (EDT 2 5 EXC in front, RES behind), and on the line as program 25, which is run.
+            let seeds = of("unidex3", "", |text| text.into_bytes());
+            let both = |(name, text): (String, Vec<u8>)| {
+                let keys = [b"\x0125\n", &text[..], b"\x02\n\x8f"].concat();
+                let line = [
+                    b"\xff\x1b1\r\nE25\r\n",
+                    &text[..],
+                    b"%\r\nA25\r\nQ\r\nP25\r\n\xff\xf0",
+                ];
+                [
+                    (format!("keys-{name}"), keys),
+                    (format!("line-{name}"), line.concat()),
+                ]
+            };
+            seeds.into_iter().flat_map(both).collect()
+        }
         "scenario" => {
             let names = conformance::scenarios();
             let text = |name: &str| conformance::text(name).into_bytes();

@@ -41,6 +41,16 @@ fn smartmotor_serial() {
 }
 
 #[test]
+fn unidex3_text() {
+    replay("unidex3_text");
+}
+
+#[test]
+fn unidex3_keys() {
+    replay("unidex3_keys");
+}
+
+#[test]
 fn scenario() {
     replay("scenario");
 }

@@ -3,7 +3,9 @@
 
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog;
-use motionbench_core::controller::{Debug, DebugReply, Input, RunState, Slot, Status, Value};
+use motionbench_core::controller::{
+    Control, Debug, DebugReply, Input, RunState, Slot, Status, Value,
+};
 use motionbench_core::probe::Probe;
 use motionbench_core::time::Nanos;
 
@@ -50,7 +52,7 @@ fn rise(bench: &mut Bench) {
 }
 
 fn step(bench: &mut Bench) -> (Option<u32>, u64) {
-    debug(bench, Debug::Step);
+    debug(bench, Debug::Control(Control::Step));
     run(bench, 10);
     let status = status(bench);
     assert_eq!(status.run, RunState::Paused);
@@ -75,7 +77,7 @@ fn a_breakpoint_in_the_subroutine_holds_and_steps_lead_back() {
     assert_eq!(read(&mut bench, "M"), 1.0);
     assert_eq!(step(&mut bench).0, Some(20));
     assert_eq!(read(&mut bench, "N"), n, "the program goes on where it was");
-    debug(&mut bench, Debug::Continue);
+    debug(&mut bench, Debug::Control(Control::Continue));
     run(&mut bench, 20);
     assert!(read(&mut bench, "N") > n);
 }
@@ -83,7 +85,7 @@ fn a_breakpoint_in_the_subroutine_holds_and_steps_lead_back() {
 #[test]
 fn before_the_interrupt_and_its_first_line_are_different_places() {
     let mut bench = running();
-    debug(&mut bench, Debug::Pause);
+    debug(&mut bench, Debug::Control(Control::Pause));
     run(&mut bench, 10);
     let mut places = vec![(status(&bench).line, status(&bench).spent)];
     rise(&mut bench);
@@ -100,7 +102,7 @@ fn before_the_interrupt_and_its_first_line_are_different_places() {
     for (&(line, spent), &(_, next)) in places.iter().zip(&places[1..]) {
         assert!(next > spent);
         let mut again = start.clone();
-        debug(&mut again, Debug::RunTo(spent));
+        debug(&mut again, Debug::Control(Control::RunTo(spent)));
         run(&mut again, 50);
         assert_eq!((status(&again).line, status(&again).spent), (line, spent));
     }

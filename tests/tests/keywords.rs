@@ -49,6 +49,11 @@ fn mc600_has_every_word_of_its_manual() {
 }
 
 #[test]
+fn unidex3_has_every_word_of_its_manual() {
+    check("unidex3", include_str!("../keywords/unidex3.tsv"));
+}
+
+#[test]
 fn smartmotor_has_every_word_of_its_lists() {
     check("smartmotor", include_str!("../keywords/smartmotor.tsv"));
 }

@@ -182,8 +182,8 @@ fn what_the_controller_does_not_have() {
         ("hold IMD 0.5s", "mc600 has no panel"),
         ("display \"READY\"", "mc600 has no panel"),
         ("led READY flashing", "mc600 has no panel"),
-        ("lamp READY on", "mc600 has no lamps"),
-        ("printer \"\"", "mc600 has no printer"),
+        ("lamp READY on", "mc600 has no lamp READY"),
+        ("printer \"X\"", "mc600 has no printer"),
         ("bus ieee488 spoll 2 = 0x40", "mc600 has no ieee488 bus"),
         ("fault sram", "mc600 has no fault sram"),
     ] {

@@ -37,7 +37,7 @@ fn texts_that_are_no_scenario() {
         (
             "bench mc601",
             1,
-            "no controller is called `mc601`; there are: mc600, smartmotor",
+            "no controller is called `mc601`; there are: mc600, smartmotor, unidex3",
         ),
         (
             "bench mc600 as 1st",
@@ -129,7 +129,7 @@ fn texts_that_are_no_scenario() {
             "`fire` is none of the faults limit+ limit- stall drive encoder estop powerfail line rom sram uram \
              battery internal",
         ),
-        ("led READY bright", "`bright` is not a state of a led"),
+        ("led READY bright", "`bright` is not a state of an LED"),
         (
             "check x.position",
             "after `x.position` one of = != < <= > >= is missing, with blanks around it",

@@ -20,7 +20,7 @@ struct Language {
     shown: &'static [&'static str],
 }
 
-const LANGUAGES: [Language; 2] = [
+const LANGUAGES: [Language; 3] = [
     Language {
         id: "mc600",
         title: "MC-600 MotionBasic",
@@ -33,13 +33,28 @@ const LANGUAGES: [Language; 2] = [
         frame: ("", ""),
         shown: &[],
     },
+    Language {
+        id: "unidex3",
+        title: "Unidex IIIa",
+        frame: ("", ""),
+        shown: &[],
+    },
 ];
 
 /// Kinds of words in the order of their sections, each with its heading. Others follow under their own names.
-const SECTIONS: [(&str, &str); 18] = [
+const SECTIONS: [(&str, &str); 29] = [
     ("flow", "Program flow"),
     ("variable", "Variables and memory"),
     ("command", "Commands"),
+    ("axis", "Moves"),
+    ("feedrate", "Feedrates"),
+    ("dwell", "Dwells"),
+    ("m", "M codes"),
+    ("n", "N codes"),
+    ("g", "G codes"),
+    ("register", "Registers"),
+    ("message", "Messages"),
+    ("block", "Blocks"),
     ("statement", "Statements"),
     ("operator", "Operators"),
     ("function", "Functions"),
@@ -53,6 +68,8 @@ const SECTIONS: [(&str, &str); 18] = [
     ("status", "Status"),
     ("report", "Reports"),
     ("serial", "The serial line"),
+    ("remote", "Commands of the controller"),
+    ("key", "Keys"),
     ("sysvar", "System variables"),
     ("not-implemented", "Not implemented by the device"),
 ];

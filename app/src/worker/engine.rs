@@ -3,7 +3,7 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog;
 use motionbench_core::controller::{
-    ControllerInfo, Debug, DebugReply, Input, Memory, RunState, Slot, Status, Survives,
+    Control, ControllerInfo, Debug, DebugReply, Input, Memory, RunState, Slot, Status, Survives,
     TerminalSettings,
 };
 use motionbench_core::language::latin1;
@@ -127,11 +127,11 @@ impl Engine {
             ToWorker::Freeze(frozen) => {
                 self.frozen = *frozen;
                 if !frozen {
-                    self.debug(Debug::Continue);
+                    self.debug(Debug::Control(Control::Continue));
                 }
             }
             ToWorker::Step => {
-                self.debug(Debug::Step);
+                self.debug(Debug::Control(Control::Step));
                 self.may_be_held = true;
                 self.frozen = false;
             }

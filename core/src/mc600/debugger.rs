@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::code::{Code, Exit, Image, Op};
 use super::vm::{Vm, World};
 use crate::exec::Credit;
+use crate::hold::Hold;
 
 /// What the debugger wants of the running program.
 #[derive(Debug, Clone, Default)]
@@ -14,18 +15,8 @@ pub struct Debugger {
     lines: Vec<u32>,
     /// The program with breakpoints in it; `None` without any.
     patched: Option<Rc<Vec<Op>>>,
-    state: State,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum State {
-    #[default]
-    Free,
-    Held,
-    /// Runs until this much firmware time is spent.
-    Until(u64),
-    /// Runs freely, but first past the breakpoint that it stands at.
-    Leaving,
+    /// Whether the program goes on.
+    pub hold: Hold,
 }
 
 impl Debugger {
@@ -55,64 +46,23 @@ impl Debugger {
         self.patched = ops.map(Rc::new);
     }
 
-    /// Holds the program.
-    pub fn hold(&mut self) {
-        self.state = State::Held;
-    }
-
-    /// Whether the program is held.
-    pub fn holds(&self) -> bool {
-        self.state == State::Held
-    }
-
     /// Whether an interrupt may enter: not while the program leaves the breakpoint that it stands at.
     pub fn lets_interrupts_in(&self) -> bool {
-        matches!(self.state, State::Free | State::Until(_))
-    }
-
-    /// Lets the program go.
-    pub fn release(&mut self) {
-        self.state = if self.holds() {
-            State::Leaving
-        } else {
-            State::Free
-        };
-    }
-
-    /// The program is over: nothing is held any more.
-    pub fn forget(&mut self) {
-        self.state = State::Free;
-    }
-
-    /// Lets a held program run until it has spent this much firmware time.
-    pub fn run_to(&mut self, spent: u64) {
-        self.state = State::Until(spent);
-    }
-
-    /// Takes away the credit that would carry the program too far.
-    pub fn limit(&mut self, credit: &mut Credit) {
-        if let State::Until(spent) = self.state {
-            if credit.spent >= spent {
-                self.state = State::Held;
-                return;
-            }
-            let most = i64::try_from(spent.saturating_sub(credit.spent)).unwrap_or(i64::MAX);
-            credit.balance = credit.balance.min(most);
-        }
+        matches!(self.hold, Hold::Free | Hold::Until(_))
     }
 
     /// Runs the program as far as the debugger lets it.
     pub fn run(&mut self, vm: &mut Vm, credit: &mut Credit, world: &mut World) -> Exit {
-        match self.state {
-            State::Held => Exit::Break,
-            State::Free => match self.patched.clone() {
+        match self.hold {
+            Hold::Held => Exit::Break,
+            Hold::Free => match self.patched.clone() {
                 Some(patched) => vm.run_ops(&patched, credit, world),
                 None => vm.run(credit, world),
             },
-            State::Leaving => {
+            Hold::Leaving => {
                 let exit = vm.step(credit, world);
                 if exit == Exit::Credit {
-                    self.state = State::Free;
+                    self.hold = Hold::Free;
                     return if credit.balance > 0 {
                         self.run(vm, credit, world)
                     } else {
@@ -120,16 +70,14 @@ impl Debugger {
                     };
                 }
                 if !matches!(exit, Exit::Wait(_)) {
-                    self.state = State::Free;
+                    self.hold = Hold::Free;
                 }
                 exit
             }
-            State::Until(spent) => {
+            Hold::Until(_) => {
                 // A step that waits is not over: it ends when the statement has cost something.
                 let exit = vm.run(credit, world);
-                if credit.spent >= spent {
-                    self.state = State::Held;
-                }
+                self.hold.arrive(credit.spent);
                 exit
             }
         }

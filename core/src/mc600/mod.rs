@@ -36,6 +36,7 @@ pub mod wiring;
 
 use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};
+use crate::hold::Hold;
 use crate::language::latin1;
 use crate::time::Nanos;
 use code::Exit;
@@ -248,7 +249,7 @@ impl Mc600 {
         self.vm = Vm::default();
         self.credit = Credit::default();
         (self.waiting, self.error) = (None, None);
-        self.debugger.forget();
+        self.debugger.hold = Hold::Free;
         self.mode = Mode::Ready { prompted: false };
         if let Some(alias) = self.alias.clone() {
             self.start_application(&alias);
@@ -264,7 +265,7 @@ impl Mc600 {
             self.attention();
         }
         self.credit.deposit(SAMPLE, self.speed, CREDIT_A_SAMPLE);
-        self.debugger.limit(&mut self.credit);
+        self.debugger.hold.limit(&mut self.credit);
         while self.credit.balance > 0 && self.vm.flush(&mut self.console) {
             let goes_on = match self.mode {
                 Mode::Off => false,
@@ -322,7 +323,7 @@ impl Mc600 {
     /// Back to the prompt.
     fn finish(&mut self) {
         self.waiting = None;
-        self.debugger.forget();
+        self.debugger.hold = Hold::Free;
         self.mode = Mode::Ready { prompted: false };
     }
 
@@ -374,7 +375,7 @@ impl Mc600 {
             self.list_next();
             return true;
         }
-        if self.debugger.holds() {
+        if self.debugger.hold.holds() {
             return false;
         }
         let interrupts = self.machine.interrupts.is_pending() && self.debugger.lets_interrupts_in();
@@ -402,7 +403,7 @@ impl Mc600 {
                 return false;
             }
             Exit::Break => {
-                self.debugger.hold();
+                self.debugger.hold = Hold::Held;
                 return false;
             }
             Exit::End => {

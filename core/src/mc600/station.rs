@@ -11,7 +11,7 @@ use super::value::Text;
 use super::{Mc600, Mode, password};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Output,
-    Ports, Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
+    Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::language::latin1;
 use crate::serial::LineSettings;
@@ -56,7 +56,7 @@ pub(super) fn info() -> ControllerInfo {
         faults: FAULTS.to_vec(),
         keys: Vec::new(),
         sample: SAMPLE,
-        chained: false,
+        sharing: Sharing::Alone,
     }
 }
 
@@ -154,7 +154,7 @@ impl Controller for Mc600 {
         let run = match (running, self.waiting, line) {
             (false, ..) if ending => RunState::Command,
             (false, ..) => RunState::Idle,
-            _ if self.debugger.holds() => RunState::Paused,
+            _ if self.debugger.hold.holds() => RunState::Paused,
             (true, Some(wait), _) => RunState::Waiting(wait),
             (true, None, Some(_)) => RunState::Running,
             (true, None, None) => RunState::Command,
@@ -181,24 +181,9 @@ impl Controller for Mc600 {
                 self.debugger.set_breakpoints(lines, &self.vm.image);
                 DebugReply::Done
             }
-            Debug::Pause | Debug::Step | Debug::RunTo(_) if self.mode != Mode::Running => {
-                DebugReply::Refused("no program runs".to_owned())
-            }
-            Debug::Pause => {
-                self.debugger.hold();
-                DebugReply::Done
-            }
-            Debug::Continue => {
-                self.debugger.release();
-                DebugReply::Done
-            }
-            Debug::Step => {
-                self.debugger.run_to(self.credit.spent + 1);
-                DebugReply::Done
-            }
-            Debug::RunTo(spent) => {
-                self.debugger.run_to(spent);
-                DebugReply::Done
+            Debug::Control(control) => {
+                let runs = self.mode == Mode::Running;
+                self.debugger.hold.obey(control, runs, self.credit.spent)
             }
             Debug::Read(name) => match self.read(&name) {
                 Some(value) => DebugReply::Value(value),

@@ -194,6 +194,23 @@ impl PlantAxis {
         self.encoder.update(self.position);
     }
 
+    /// A stepping motor: its field holds the shaft at `position`, in revolutions, unless a hard stop is in the way or
+    /// the shaft is seized; then it stays where it can be.
+    pub fn hold_at(&mut self, position: f64) {
+        let travel = self.parameters.travel;
+        if !self.jammed && position.is_finite() {
+            self.position = if position > travel.to {
+                travel.to
+            } else if position < travel.from {
+                travel.from
+            } else {
+                position
+            };
+        }
+        (self.velocity, self.torque) = (0.0, 0.0);
+        self.encoder.update(self.position);
+    }
+
     /// A hard stop takes all the speed.
     #[cold]
     fn rest_at(&mut self, position: f64) {
@@ -342,6 +359,23 @@ mod tests {
         assert_eq!((axis.position(), axis.velocity()), (0.25, 0.0));
         push(&mut axis, -1.0, 1.0);
         assert_eq!(axis.position(), -0.5);
+    }
+
+    #[test]
+    fn a_stepping_motor_is_where_its_field_is_unless_it_cannot() {
+        let mut axis = axis(|p| {
+            p.travel = Span {
+                from: -1.0,
+                to: 2.0,
+            }
+        });
+        axis.hold_at(1.5);
+        assert_eq!((axis.position(), axis.encoder.count()), (1.5, 3 << 19));
+        axis.hold_at(2.5);
+        assert_eq!(axis.position(), 2.0);
+        axis.set_jammed(true);
+        axis.hold_at(0.0);
+        assert_eq!(axis.position(), 2.0);
     }
 
     #[test]

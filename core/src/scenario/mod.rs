@@ -9,6 +9,7 @@
 mod advance;
 mod condition;
 mod console;
+mod panel;
 mod parse;
 mod report;
 mod run;

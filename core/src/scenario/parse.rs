@@ -5,6 +5,7 @@ use std::iter::Enumerate;
 use std::str::Lines;
 
 use crate::catalog;
+use crate::controller::Sharing;
 
 use super::condition::Condition;
 use super::statement::{Action, Statement};
@@ -177,8 +178,8 @@ impl<'a> Parser<'a> {
         }
         let line = take_line(&mut options)?;
         let created = (kind.create)(&options)?;
-        let chained = created.controller().info().chained;
-        if line.is_some() && !chained {
+        let shares = created.controller().info().sharing != Sharing::Alone;
+        if line.is_some() && !shares {
             return Err(format!("{id} has a host line of its own"));
         }
         let mut earlier = self.scenario.stations.iter();
@@ -187,7 +188,7 @@ impl<'a> Parser<'a> {
             name,
             id: kind.id,
             station: created,
-            behind: behind.filter(|_| chained),
+            behind: behind.filter(|_| shares),
             line,
         });
         Ok(Statement {

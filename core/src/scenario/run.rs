@@ -199,6 +199,10 @@ impl<'a> Runner<'a> {
             Action::ExpectExactly(bytes) => self.expect_exactly(station, bytes),
             Action::ExpectNothing => self.expect_exactly(station, b""),
             Action::Reply { text, within } => self.reply(station, text, *within),
+            Action::Display(text) => self.display(station, text),
+            Action::Led { name, state } => self.led(station, name, *state),
+            Action::Lamp { name, on } => self.lamp(station, name, *on),
+            Action::Printer(text) => self.printer(station, text),
             Action::Needs(part) => Err(self.has_no(station, part)),
             Action::Repeat { count, body } => (0..*count).try_for_each(|_| self.execute(body)),
             Action::At { time, statement } => self.at(station, *time, statement),
@@ -324,7 +328,7 @@ impl<'a> Runner<'a> {
         }
     }
 
-    fn expect(&mut self, station: usize, text: &[u8]) -> Done {
+    pub(super) fn expect(&mut self, station: usize, text: &[u8]) -> Done {
         match self.matched(station, text) {
             true => Ok(()),
             false => Err(format!("expected {}, {}", show(text), self.sent(station)).into()),

@@ -1,6 +1,6 @@
 //! What a scenario says: the parser's result.
 
-use crate::controller::Slot;
+use crate::controller::{Led, Slot};
 use crate::serial::{Flow, Parity};
 use crate::time::Nanos;
 
@@ -84,7 +84,19 @@ pub(super) enum Action {
         text: Vec<u8>,
         within: Nanos,
     },
-    /// Needs a part that no present controller has: `panel`, `printer`, `ieee488 bus`.
+    /// The text display, blanks at its ends aside.
+    Display(String),
+    Led {
+        name: String,
+        state: Led,
+    },
+    Lamp {
+        name: String,
+        on: bool,
+    },
+    /// On the paper, which is what the console's line has sent.
+    Printer(Vec<u8>),
+    /// Needs a part that no present controller has: `ieee488 bus`.
     Needs(String),
     Repeat {
         count: u32,

@@ -1,6 +1,6 @@
 //! What each statement may say: one function a group, no state.
 
-use crate::controller::Slot;
+use crate::controller::{Led, Slot};
 use crate::language::latin1;
 use crate::serial::{Flow, Parity};
 
@@ -98,7 +98,17 @@ pub(super) fn action(word: &str, mut line: Line<'_>) -> Result<Action, String> {
             within: line.within()?,
         },
         "rewind" => Action::Rewind(line.time("how far")?),
-        "display" | "printer" | "led" | "lamp" | "bus" => absent(word, &mut line)?,
+        "display" => Action::Display(latin1::text(&line.bytes()?)),
+        "led" => Action::Led {
+            name: line.need("the LED")?.to_owned(),
+            state: led_state(&mut line)?,
+        },
+        "lamp" => Action::Lamp {
+            name: line.need("the lamp")?.to_owned(),
+            on: on_or_off(&mut line)?,
+        },
+        "printer" => Action::Printer(not_empty(line.bytes()?)?),
+        "bus" => bus(&mut line)?,
         _ => return Err(unknown(word)),
     };
     line.end()?;
@@ -273,32 +283,19 @@ fn not_empty(text: Vec<u8>) -> Result<Vec<u8>, String> {
     }
 }
 
-/// Statements for parts that no controller has yet.
-fn absent(word: &str, line: &mut Line<'_>) -> Result<Action, String> {
-    let part = match word {
-        "display" => {
-            line.bytes()?;
-            "panel".to_owned()
-        }
-        "printer" => {
-            line.bytes()?;
-            "printer".to_owned()
-        }
-        "bus" => {
-            let bus = line.need("the bus")?;
-            line.need("what to do on the bus")?;
-            while line.word().is_some() {}
-            format!("{bus} bus")
-        }
-        _ => {
-            line.need("the name")?;
-            match line.need("`on` or `off`")? {
-                "on" | "off" => {}
-                "flashing" if word == "led" => {}
-                state => return Err(format!("`{state}` is not a state of a {word}")),
-            }
-            if word == "led" { "panel" } else { "lamps" }.to_owned()
-        }
-    };
-    Ok(Action::Needs(part))
+fn led_state(line: &mut Line<'_>) -> Result<Led, String> {
+    match line.need("`on`, `off` or `flashing`")? {
+        "on" => Ok(Led::On),
+        "off" => Ok(Led::Off),
+        "flashing" => Ok(Led::Flashing),
+        state => Err(format!("`{state}` is not a state of an LED")),
+    }
+}
+
+/// A part that no controller has yet.
+fn bus(line: &mut Line<'_>) -> Result<Action, String> {
+    let bus = line.need("the bus")?;
+    line.need("what to do on the bus")?;
+    while line.word().is_some() {}
+    Ok(Action::Needs(format!("{bus} bus")))
 }

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::code::{Code, Exit, Image, Op};
 use super::vm::{Vm, World};
 use crate::exec::Credit;
+use crate::hold::Hold;
 
 /// What the debugger wants of the running program.
 #[derive(Debug, Clone, Default)]
@@ -16,18 +17,8 @@ pub struct Debugger {
     apart: Rc<Vec<Op>>,
     /// The same with breakpoints in it; `None` without any.
     patched: Option<Rc<Vec<Op>>>,
-    state: State,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum State {
-    #[default]
-    Free,
-    Held,
-    /// Runs until this much firmware time is spent.
-    Until(u64),
-    /// Runs freely, but first past the breakpoint that it stands at.
-    Leaving,
+    /// Whether the program goes on.
+    pub hold: Hold,
 }
 
 impl Debugger {
@@ -54,59 +45,18 @@ impl Debugger {
         self.patched = (!starts.is_empty()).then(|| Rc::new(ops));
     }
 
-    /// Holds the program.
-    pub fn hold(&mut self) {
-        self.state = State::Held;
-    }
-
-    /// Whether the program is held.
-    pub fn holds(&self) -> bool {
-        self.state == State::Held
-    }
-
-    /// Lets the program go.
-    pub fn release(&mut self) {
-        self.state = if self.holds() {
-            State::Leaving
-        } else {
-            State::Free
-        };
-    }
-
-    /// The program is over: nothing is held any more.
-    pub fn forget(&mut self) {
-        self.state = State::Free;
-    }
-
-    /// Lets a held program run until it has spent this much firmware time.
-    pub fn run_to(&mut self, spent: u64) {
-        self.state = State::Until(spent);
-    }
-
-    /// Takes away the credit that would carry the program too far.
-    pub fn limit(&mut self, credit: &mut Credit) {
-        if let State::Until(spent) = self.state {
-            if credit.spent >= spent {
-                self.state = State::Held;
-                return;
-            }
-            let most = i64::try_from(spent.saturating_sub(credit.spent)).unwrap_or(i64::MAX);
-            credit.balance = credit.balance.min(most);
-        }
-    }
-
     /// Runs the program as far as the debugger lets it.
     pub fn run(&mut self, vm: &mut Vm, credit: &mut Credit, world: &mut World<'_>) -> Exit {
-        match self.state {
-            State::Held => Exit::Break,
-            State::Free => match self.patched.clone() {
+        match self.hold {
+            Hold::Held => Exit::Break,
+            Hold::Free => match self.patched.clone() {
                 Some(patched) => vm.run_ops(&patched, credit, world),
                 None => vm.run(credit, world),
             },
-            State::Leaving => {
+            Hold::Leaving => {
                 let exit = vm.step(&self.apart, credit, world);
                 if exit == Exit::Credit {
-                    self.state = State::Free;
+                    self.hold = Hold::Free;
                     return if credit.balance > 0 {
                         self.run(vm, credit, world)
                     } else {
@@ -114,16 +64,14 @@ impl Debugger {
                     };
                 }
                 if !matches!(exit, Exit::Wait(_)) {
-                    self.state = State::Free;
+                    self.hold = Hold::Free;
                 }
                 exit
             }
-            State::Until(spent) => {
+            Hold::Until(_) => {
                 // A step that waits is not over: it ends when the statement has cost something.
                 let exit = vm.run_ops(&self.apart, credit, world);
-                if credit.spent >= spent {
-                    self.state = State::Held;
-                }
+                self.hold.arrive(credit.spent);
                 exit
             }
         }
@@ -134,7 +82,7 @@ impl Debugger {
 mod tests {
     use crate::bench::Bench;
     use crate::catalog;
-    use crate::controller::{Controller, Debug, DebugReply, RunState, Slot, Value};
+    use crate::controller::{Control, Controller, Debug, DebugReply, RunState, Slot, Value};
     use crate::probe::Probe;
     use crate::time::Nanos;
 
@@ -193,7 +141,7 @@ mod tests {
             bed.0.send(0, b"c=c+1\r");
             bed.run(20);
             assert_eq!(bed.value("c"), f64::from(pass + 1));
-            bed.motor().debug(Debug::Continue);
+            bed.motor().debug(Debug::Control(Control::Continue));
             bed.run(20);
         }
         assert_eq!(bed.value("b"), 9.0);
@@ -211,12 +159,15 @@ mod tests {
         while bed.motor().status().run == RunState::Paused {
             seen.push(bed.line().unwrap());
             spent.push(bed.motor().status().spent);
-            assert_eq!(bed.motor().debug(Debug::Step), DebugReply::Done);
+            assert_eq!(
+                bed.motor().debug(Debug::Control(Control::Step)),
+                DebugReply::Done
+            );
             bed.run(60);
         }
         assert_eq!(seen, [1, 2, 3, 4, 2, 3, 4, 2, 3, 4, 2, 5, 6, 7]);
         assert!(spent.is_sorted_by(|a, b| a < b));
-        let refused = bed.motor().debug(Debug::Step);
+        let refused = bed.motor().debug(Debug::Control(Control::Step));
         assert!(matches!(refused, DebugReply::Refused(_)));
         // The same place again, by what the statements have cost.
         bed.motor().debug(Debug::Breakpoints(Vec::new()));
@@ -225,7 +176,8 @@ mod tests {
         bed.start();
         let offset = bed.motor().status().spent - spent[0];
         assert!(offset > 0 && start < spent[0] + offset);
-        bed.motor().debug(Debug::RunTo(spent[5] + offset));
+        bed.motor()
+            .debug(Debug::Control(Control::RunTo(spent[5] + offset)));
         bed.run(60);
         assert_eq!((bed.line(), bed.value("a")), (Some(seen[5]), 1.0));
     }

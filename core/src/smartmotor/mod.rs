@@ -25,6 +25,7 @@ pub mod wiring;
 
 use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};
+use crate::hold::Hold;
 use crate::time::Nanos;
 use code::{Exit, System};
 use compile::compile_command;
@@ -183,7 +184,7 @@ impl SmartMotor {
         self.host = Host::default();
         self.vm = Vm::default();
         self.eeprom.pointer = 0;
-        self.debugger.forget();
+        self.debugger.hold = Hold::Free;
         self.waiting = None;
         self.take_program();
         self.start_at = Some(now + START_WINDOW).filter(|_| !self.broken_memory);
@@ -212,7 +213,7 @@ impl SmartMotor {
 
     fn stop(&mut self) {
         self.vm.stop();
-        self.debugger.forget();
+        self.debugger.hold = Hold::Free;
         (self.waiting, self.start_at) = (None, None);
     }
 
@@ -222,7 +223,7 @@ impl SmartMotor {
         self.line.receive(now);
         self.start_window(now, before);
         self.credit.deposit(SAMPLE, self.speed, CREDIT_A_SAMPLE);
-        self.debugger.limit(&mut self.credit);
+        self.debugger.hold.limit(&mut self.credit);
         if self.motor.take_fault_call() && self.vm.running {
             self.vm.gosub(FAULT_ROUTINE);
         }
@@ -274,7 +275,7 @@ impl SmartMotor {
     /// Runs the program; whether there may be more to do in this sample.
     fn program(&mut self, now: Nanos, log_motion: bool) -> bool {
         self.waiting = None;
-        if !self.vm.running || self.debugger.holds() {
+        if !self.vm.running || self.debugger.hold.holds() {
             return false;
         }
         match self.run(false, log_motion) {
@@ -284,7 +285,7 @@ impl SmartMotor {
                 false
             }
             Exit::Break => {
-                self.debugger.hold();
+                self.debugger.hold = Hold::Held;
                 false
             }
             Exit::End => {

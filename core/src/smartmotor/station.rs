@@ -11,7 +11,7 @@ use super::store::strip;
 use super::{SmartMotor, vm};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Ports,
-    Refused, Revision, RunState, Signal, Slot, Status, Survives, Value,
+    Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::exec::Wait;
 use crate::language::latin1;
@@ -59,7 +59,7 @@ pub(super) fn info() -> ControllerInfo {
         faults: FAULTS.into_iter().chain([MEMORY_FAULT]).collect(),
         keys: Vec::new(),
         sample: SAMPLE,
-        chained: true,
+        sharing: Sharing::Chain,
     }
 }
 
@@ -160,7 +160,7 @@ impl Controller for SmartMotor {
         let will_start = self.start_at.is_some() && self.store.has_program();
         let run = match self.waiting {
             _ if !self.powered => RunState::Idle,
-            _ if self.vm.running && self.debugger.holds() => RunState::Paused,
+            _ if self.vm.running && self.debugger.hold.holds() => RunState::Paused,
             Some(wait) => RunState::Waiting(wait),
             None if self.vm.running => RunState::Running,
             None if will_start => RunState::Waiting(Wait::Time),
@@ -189,24 +189,9 @@ impl Controller for SmartMotor {
                 self.debugger.set_breakpoints(lines, &self.vm.program.image);
                 DebugReply::Done
             }
-            Debug::Pause | Debug::Step | Debug::RunTo(_) if !self.vm.running => {
-                DebugReply::Refused("no program runs".to_owned())
-            }
-            Debug::Pause => {
-                self.debugger.hold();
-                DebugReply::Done
-            }
-            Debug::Continue => {
-                self.debugger.release();
-                DebugReply::Done
-            }
-            Debug::Step => {
-                self.debugger.run_to(self.credit.spent + 1);
-                DebugReply::Done
-            }
-            Debug::RunTo(spent) => {
-                self.debugger.run_to(spent);
-                DebugReply::Done
+            Debug::Control(control) => {
+                let runs = self.vm.running;
+                self.debugger.hold.obey(control, runs, self.credit.spent)
             }
             Debug::Read(name) => match self.read(&name) {
                 Some(value) => DebugReply::Value(value),

@@ -2,7 +2,9 @@
 
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, Kind};
-use motionbench_core::controller::{Controller, Debug, DebugReply, Input, Slot, Survives, Value};
+use motionbench_core::controller::{
+    Control, Controller, Debug, DebugReply, Input, Slot, Survives, Value,
+};
 use motionbench_core::language::{latin1, split_lines};
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::program_text;
@@ -161,9 +163,9 @@ impl Chain {
             }
             Some(b'd') => {
                 let commands = [
-                    Debug::Pause,
-                    Debug::Step,
-                    Debug::Continue,
+                    Debug::Control(Control::Pause),
+                    Debug::Control(Control::Step),
+                    Debug::Control(Control::Continue),
                     Debug::Breakpoints(vec![1, 3]),
                 ];
                 for command in commands {

@@ -1,0 +1,51 @@
+//! Keys of the front panel. In the order of the words' bytes.
+
+use super::row;
+use crate::language::KeywordRow;
+
+#[rustfmt::skip] // a table
+pub(super) const ROWS: &[KeywordRow] = &[
+    // word, kind, section; syntax, summary, example
+    row("AUT", "key", "2-3, 3-4",
+        ["AUT", "Auto: runs a program from beginning to end.", "AUT"]),
+    row("BST", "key", "2-3, 3-4",
+        ["BST", "Editing: the codeword before.", "BST"]),
+    row("CC", "key", "2-3, 3-4",
+        ["CC", "Clears the codeword; behind EDT, clears a program.", "CC"]),
+    row("CE", "key", "2-3, 3-4",
+        ["CE", "Clears the last character; leaves step and slew.", "CE"]),
+    row("CLRX", "key", "2-3",
+        ["CLRX", "Clears the X tracking display.", "CLRX"]),
+    row("CLRY", "key", "2-3",
+        ["CLRY", "Clears the Y tracking display.", "CLRY"]),
+    row("DOWN", "key", "2-3, 3-4",
+        ["DOWN", "Moves the Y axis back in step and slew.", "DOWN"]),
+    row("EDT", "key", "2-3, 3-4",
+        ["EDT", "Edit: selects a program to change; then F G M D X N or CC for boot-strap, set-up and memory.", "EDT"]),
+    row("EXC", "key", "2-3, 3-4",
+        ["EXC", "Carries out what stands on the display.", "EXC"]),
+    row("IMD", "key", "2-3, 3-4",
+        ["IMD", "Immediate: runs what is typed.", "IMD"]),
+    row("LEFT", "key", "2-3, 3-4",
+        ["LEFT", "Moves the X axis back in step and slew.", "LEFT"]),
+    row("PRT", "key", "2-3, 3-4",
+        ["PRT", "Prints a program, the directory, positions, registers or the message buffer.", "PRT"]),
+    row("RES", "key", "2-3, 3-4",
+        ["RES", "Resets the unit; not while editing.", "RES"]),
+    row("RIGHT", "key", "2-3, 3-4",
+        ["RIGHT", "Moves the X axis forward in step and slew.", "RIGHT"]),
+    row("RMT", "key", "2-3, 3-4",
+        ["RMT", "Lets the controller have the unit.", "RMT"]),
+    row("SCH", "key", "2-3, 3-4",
+        ["SCH", "Editing: searches for what is typed next.", "SCH"]),
+    row("SGL", "key", "2-3, 3-4",
+        ["SGL", "Single: runs a program block by block.", "SGL"]),
+    row("SHIFT", "key", "2-3, 3-4",
+        ["SHIFT", "The next key means its upper legend.", "SHIFT"]),
+    row("SLW", "key", "2-3, 3-4",
+        ["SLW", "Editing: the first codeword; else arrow keys slew.", "SLW"]),
+    row("STP", "key", "2-3, 3-4",
+        ["STP", "Editing: the next codeword; else arrow keys make single steps.", "STP"]),
+    row("UP", "key", "2-3, 3-4",
+        ["UP", "Moves the Y axis forward in step and slew.", "UP"]),
+];
