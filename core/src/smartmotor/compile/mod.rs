@@ -13,7 +13,6 @@ use super::ast::{
 };
 use super::code::{
     Code, HOST_CONSTANTS, Image, Op, PROGRAM_CONSTANTS, REGISTERS, Slow, System, TEMPORARY,
-    TextReport,
 };
 use super::motor::Flag;
 use super::parser::parse_line;
@@ -364,21 +363,13 @@ impl Compiler {
     }
 
     fn report(&mut self, report: Report) {
-        let text = match report {
+        match report {
             Report::Value(operand) => {
                 let register = self.operand(operand, TEMPORARY);
                 self.slow(Slow::Report, register, 0);
-                return;
             }
-            Report::Word => TextReport::Word,
-            Report::Byte => TextReport::Byte,
-            Report::PositionAndWord => TextReport::PositionAndWord,
-            Report::Sample => TextReport::Sample,
-            Report::Checksum => TextReport::Checksum,
-            Report::Channel1 => TextReport::Channel1,
-            Report::Mode => TextReport::Mode,
-        };
-        self.slow(Slow::ReportText(text), 0, 0);
+            Report::Text(text) => self.slow(Slow::ReportText(text), 0, 0),
+        }
     }
 
     fn print(&mut self, channel: u8, items: &[Item]) {
