@@ -177,6 +177,80 @@ pub struct Lamps {
     pub signal: &'static str,
     /// The labels of its bits, the lowest first.
     pub labels: &'static [&'static str],
+    /// The signal of the pulse that says that they are set anew, where there is one.
+    pub strobe: Option<&'static str>,
+}
+
+/// What a person meets at a controller that is a device of its own: what its [`Panel`] does not tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Face {
+    /// The keys of its front panel.
+    pub keys: &'static [Keycap],
+    /// The switches and jumpers that are set while it is off.
+    pub settings: &'static [Setting],
+    /// The joystick at its connector.
+    pub joystick: Joystick,
+    /// How a newcomer gets from the first key to a motion: keys by what is printed on them, and what they do.
+    pub steps: &'static [(&'static str, &'static str)],
+}
+
+/// A key and what is printed on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Keycap {
+    /// As one of [`ControllerInfo::keys`].
+    pub key: &'static str,
+    /// For people: `Edit`; empty where the legend says it.
+    pub name: &'static str,
+    /// What it means by itself, and behind SHIFT; empty where it means nothing else.
+    pub legends: (&'static str, &'static str),
+    /// What it types in a message, by itself and behind SHIFT, where its legends do not say it.
+    pub message: (&'static str, &'static str),
+}
+
+/// A joystick: two wires that spring back to 0, and a button.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joystick {
+    /// The wires of its directions, positive to the right and up, and the wire of its button.
+    pub wires: [&'static str; 3],
+    /// What a direction gives when it is pushed to its end.
+    pub most: f64,
+}
+
+/// A switch or jumper, or several that are set together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Setting {
+    /// What it is kept by.
+    pub key: &'static str,
+    /// For people: `Device address`.
+    pub name: &'static str,
+    /// Where it is found, and what it is for.
+    pub place: &'static str,
+    /// How it can stand.
+    pub choices: Choices,
+}
+
+/// How a [`Setting`] can stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Choices {
+    /// For people, and as the kind's options; the first is how it comes, without any.
+    Words(&'static [(&'static str, &'static str)]),
+    /// A number in binary switches, the highest first, each of which is off for a 1.
+    Binary(Binary),
+}
+
+/// A number in binary switches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Binary {
+    /// The number of the first switch, as printed beside it.
+    pub first: u8,
+    /// How many switches there are.
+    pub switches: u8,
+    /// What all switches on mean.
+    pub from: u8,
+    /// The greatest number that is used.
+    pub to: u8,
+    /// How it comes.
+    pub at: u8,
 }
 
 /// One step of a newcomer.

@@ -132,11 +132,10 @@ impl Store {
 
 /// What a controller is found with that has not been used yet.
 fn new_desk(kind: &Kind) -> Desk {
-    let line = (kind.create)(&[]).map(|station| station.controller().info().line);
     Desk {
         text: kind.first_program.to_owned(),
         breakpoints: Default::default(),
-        line: line.unwrap_or(LineSettings::new(9600)),
+        line: kind.line,
         terminal: None,
         device: project::Device {
             controller: kind.id.to_owned(),
