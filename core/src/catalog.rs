@@ -1,10 +1,11 @@
 //! The one file that names every controller.
 
 use crate::controller::{
-    Controller, DiskInfo, FirstStep, Lamps, Opt, Setting, TerminalSettings, TextRules, Wired,
+    Controller, DiskInfo, Face, FirstStep, Lamps, Opt, TerminalSettings, TextRules, Wired,
 };
 use crate::language::{Diagnostic, Highlight, KeywordRow};
 use crate::mc600::{self, Mc600};
+use crate::serial::LineSettings;
 use crate::smartmotor::{self, SmartMotor};
 use crate::unidex3::{self, Unidex3};
 
@@ -37,8 +38,13 @@ impl Station {
     }
 }
 
-/// Makes a station of some kind from its options; an error is one clear line.
-pub type Create = fn(&[(String, String)]) -> Result<Station, String>;
+/// Which controller it is.
+#[derive(Debug, Clone, Copy)]
+enum Model {
+    Mc600,
+    SmartMotor,
+    Unidex3,
+}
 
 /// A kind of controller.
 #[derive(Debug, Clone, Copy)]
@@ -49,11 +55,9 @@ pub struct Kind {
     pub name: &'static str,
     /// What can be given when it is put on the bench.
     pub options: &'static [Opt],
-    /// Makes one, switched off.
-    ///
-    /// # Errors
-    /// One clear line about an option that does not exist or a value that it cannot have.
-    pub create: Create,
+    model: Model,
+    /// Its console's line without options.
+    pub line: LineSettings,
     /// What is wrong with a program, told from its text alone.
     pub diagnose: fn(&str) -> Vec<Diagnostic>,
     /// The classes of a program line's parts, from the controller's own lexer.
@@ -74,10 +78,10 @@ pub struct Kind {
     pub inputs: &'static [Wired],
     /// Which of them lets the drive be enabled.
     pub enable_input: Option<usize>,
-    /// The switches and jumpers at the controller itself.
-    pub settings: &'static [Setting],
     /// The lamps at its outputs.
     pub lamps: Lamps,
+    /// Its front panel and what belongs to it; most controllers have none.
+    pub face: Option<&'static Face>,
     /// It has cam tables that [`crate::controller::Debug::Cam`] tells.
     pub has_cam: bool,
     /// Where it keeps files.
@@ -92,7 +96,8 @@ pub const KINDS: &[Kind] = &[
         id: "mc600",
         name: "Danaher MC-600",
         options: mc600::OPTIONS,
-        create: |options| Ok(Station::Mc600(Box::new(Mc600::new(options)?))),
+        model: Model::Mc600,
+        line: LineSettings::new(9600),
         diagnose: mc600::diagnose::diagnose,
         highlight: mc600::diagnose::highlight,
         words: mc600::diagnose::words,
@@ -109,8 +114,8 @@ pub const KINDS: &[Kind] = &[
         enable: "MDRVEN()",
         inputs: mc600::wiring::INPUTS,
         enable_input: Some(mc600::wiring::ENABLE),
-        settings: &[],
         lamps: mc600::wiring::LAMPS,
+        face: None,
         has_cam: true,
         disks: mc600::disks::DISKS,
         terminal: TerminalSettings {
@@ -122,7 +127,8 @@ pub const KINDS: &[Kind] = &[
         id: "smartmotor",
         name: "Animatics SmartMotor",
         options: smartmotor::OPTIONS,
-        create: |options| Ok(Station::SmartMotor(Box::new(SmartMotor::new(options)?))),
+        model: Model::SmartMotor,
+        line: smartmotor::LINE,
         diagnose: smartmotor::diagnose::diagnose,
         highlight: smartmotor::diagnose::highlight,
         words: smartmotor::diagnose::words,
@@ -139,8 +145,8 @@ pub const KINDS: &[Kind] = &[
         enable: "G",
         inputs: smartmotor::wiring::INPUTS,
         enable_input: None,
-        settings: &[],
         lamps: smartmotor::wiring::LAMPS,
+        face: None,
         has_cam: false,
         disks: &[],
         // It does not echo, and ends its answers with a bare CR.
@@ -153,7 +159,8 @@ pub const KINDS: &[Kind] = &[
         id: "unidex3",
         name: "Aerotech Unidex IIIa",
         options: unidex3::OPTIONS,
-        create: |options| Ok(Station::Unidex3(Box::new(Unidex3::new(options)?))),
+        model: Model::Unidex3,
+        line: unidex3::LINE,
         diagnose: unidex3::diagnose::diagnose,
         highlight: unidex3::diagnose::highlight,
         words: unidex3::diagnose::words,
@@ -170,8 +177,8 @@ pub const KINDS: &[Kind] = &[
         enable: "I G10",
         inputs: unidex3::wiring::INPUTS,
         enable_input: None,
-        settings: unidex3::wiring::SETTINGS,
         lamps: unidex3::wiring::LAMPS,
+        face: Some(&unidex3::face::FACE),
         has_cam: false,
         disks: &[],
         // It does not echo.
@@ -181,6 +188,20 @@ pub const KINDS: &[Kind] = &[
         },
     },
 ];
+
+impl Kind {
+    /// Makes one, switched off. Not a field of the row: whoever only reads the catalogue then carries no simulator.
+    ///
+    /// # Errors
+    /// One clear line about an option that does not exist or a value that it cannot have.
+    pub fn create(&self, options: &[(String, String)]) -> Result<Station, String> {
+        Ok(match self.model {
+            Model::Mc600 => Station::Mc600(Box::new(Mc600::new(options)?)),
+            Model::SmartMotor => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
+            Model::Unidex3 => Station::Unidex3(Box::new(Unidex3::new(options)?)),
+        })
+    }
+}
 
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {

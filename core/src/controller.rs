@@ -1,4 +1,12 @@
-//! What every controller is to the bench: one trait, all of it required, and the plain data that passes through it.
+//! What every controller is to the bench: one trait, and the plain data that passes through it. `surroundings` is what
+//! a person is told of it.
+
+mod surroundings;
+
+pub use surroundings::{
+    Binary, Choices, DiskInfo, Face, FirstStep, Handle, Joystick, Keycap, Lamps, Opt, Range,
+    Setting, TerminalSettings, TextRules, Wired,
+};
 
 use crate::exec::Wait;
 use crate::ieee488;
@@ -93,120 +101,6 @@ pub enum Sharing {
     Chain,
     /// All hear the host, and the host hears all. A level that one puts out reaches the one before it.
     Bus,
-}
-
-/// An option of a kind of controller.
-#[derive(Debug, Clone, Copy)]
-pub struct Opt {
-    /// Its key.
-    pub key: &'static str,
-    /// What it may be, and what it is without being given.
-    pub help: &'static str,
-}
-
-/// A disk, for people.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct DiskInfo {
-    /// What stands before the names of its files: `B:`.
-    pub prefix: &'static str,
-    /// What it is, and what becomes of it without power.
-    pub words: &'static str,
-}
-
-/// What a controller makes of the text of a program that it is given.
-#[derive(Debug, Clone, Copy)]
-pub struct TextRules {
-    /// Its lines have numbers that stand in the text.
-    pub numbered: bool,
-    /// Capital and small letters are the same, but in texts.
-    pub ignores_case: bool,
-    /// Comments are kept with the program.
-    pub keeps_comments: bool,
-    /// What a controller lists that has no program.
-    pub empty: &'static str,
-    /// For each line of a text, parted by line feeds: the controller's own line that it becomes.
-    pub device_lines: fn(&str) -> Vec<Option<u32>>,
-}
-
-/// What a terminal does besides what the line does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub struct TerminalSettings {
-    /// Shows what is sent, for a controller that does not echo it.
-    pub local_echo: bool,
-    /// Goes to a new line at a CR, for a controller that sends no line feed behind it.
-    pub line_feeds: bool,
-}
-
-/// Something outside that a person sets.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wired {
-    /// What stands beside it, where there is little room: `3`.
-    pub label: &'static str,
-    /// For people: `Input 3`.
-    pub name: &'static str,
-    /// As one of [`ControllerInfo::wires`].
-    pub wire: &'static str,
-    /// What can be done with it.
-    pub handle: Handle,
-    /// How it stands on a new bench.
-    pub at: f64,
-}
-
-/// How something is set.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Handle {
-    /// 0 or 1.
-    Switch,
-    /// Any value of a range.
-    Knob(Range),
-    /// A switch between the ends of a range, and any value between them.
-    Pin(Range),
-    /// Pushed by one of these at a time; it has no value that stays.
-    Jog(&'static [f64]),
-}
-
-/// What a knob can be turned to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// The lowest value.
-    pub from: f64,
-    /// The highest value.
-    pub to: f64,
-    /// From one value to the next.
-    pub step: f64,
-    /// For people: `V`.
-    pub unit: &'static str,
-}
-
-/// A switch or jumper at the controller that a person sets, by the wire of its name.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
-    /// For people: `Device address`.
-    pub name: &'static str,
-    /// As one of [`ControllerInfo::wires`].
-    pub wire: &'static str,
-    /// Its positions: the wire's value, and what a person reads there.
-    pub positions: &'static [(f64, &'static str)],
-    /// How it stands on a new bench.
-    pub at: f64,
-}
-
-/// Lamps that a recorded signal lights.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Lamps {
-    /// Its name in the controller's signals.
-    pub signal: &'static str,
-    /// The labels of its bits, the lowest first.
-    pub labels: &'static [&'static str],
-}
-
-/// One step of a newcomer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FirstStep {
-    /// A line for the console, and what it does.
-    Type(&'static str, &'static str),
-    /// The mains switch goes off and on.
-    PowerCycle,
 }
 
 /// One recorded signal.

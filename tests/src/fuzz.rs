@@ -250,7 +250,7 @@ impl Card {
             .iter()
             .map(|&(key, value)| (key.to_owned(), value.to_owned()))
             .collect();
-        let station = (kind().create)(&options).expect("the options are the card's");
+        let station = kind().create(&options).expect("the options are the card's");
         let mut bench = Bench::new();
         let station = bench.add("card", station, None);
         let line = bench.line_of(station).expect("it is on the bench");

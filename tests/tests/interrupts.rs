@@ -17,7 +17,7 @@ const PROGRAM: &str = "10 INTSETUP(100,0,1)\n20 N=N+1: GOTO 20\n100 M=M+1\n110 R
 fn running() -> Bench {
     let kind = catalog::kind("mc600").unwrap();
     let mut bench = Bench::new();
-    let line = bench.add("card", (kind.create)(&[]).unwrap(), None);
+    let line = bench.add("card", kind.create(&[]).unwrap(), None);
     bench.power(CARD, true);
     let card = bench.station_mut(CARD).unwrap();
     card.load(&Slot::Program, PROGRAM).unwrap();

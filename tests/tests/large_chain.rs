@@ -19,11 +19,7 @@ fn a_hundred_motors_are_addressed_and_answer() {
     let kind = catalog::kind("smartmotor").unwrap();
     let mut bench = Bench::new();
     for index in 0..usize::from(MOTORS) {
-        bench.add(
-            "motor",
-            (kind.create)(&[]).unwrap(),
-            (index > 0).then_some(0),
-        );
+        bench.add("motor", kind.create(&[]).unwrap(), (index > 0).then_some(0));
         bench.power(index, true);
     }
     let mut probe = Probe::default();

@@ -14,7 +14,7 @@ fn card(first: &str, speed: &str) -> Bench {
     let kind = catalog::kind("mc600").unwrap();
     let options = [("speed".to_owned(), speed.to_owned())];
     let mut bench = Bench::new();
-    bench.add("card", (kind.create)(&options).unwrap(), None);
+    bench.add("card", kind.create(&options).unwrap(), None);
     bench.power(CARD, true);
     let remark = "X".repeat(66);
     let lines = (1000..6000).map(|line| format!("{line} REM {remark}\n"));

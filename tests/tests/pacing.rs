@@ -17,7 +17,7 @@ const END: Nanos = Nanos::from_millis(3000);
 fn run(mut portions: impl Iterator<Item = u64>) -> (Vec<ConsoleByte>, Vec<u64>) {
     let kind = catalog::kind("mc600").unwrap();
     let mut bench = Bench::new();
-    let station = bench.add("one", (kind.create)(&[]).unwrap(), None);
+    let station = bench.add("one", kind.create(&[]).unwrap(), None);
     let mut probe = Probe::recording();
     bench.power(station, true);
     bench

@@ -134,7 +134,7 @@ fn run(program: &str, command: &str) -> (String, String) {
     let kind = catalog::kind("mc600").unwrap();
     let options = [("speed".to_owned(), "100".to_owned())];
     let mut bench = Bench::new();
-    let station = bench.add("card", (kind.create)(&options).unwrap(), None);
+    let station = bench.add("card", kind.create(&options).unwrap(), None);
     let mut probe = Probe::default();
     bench.power(station, true);
     let card = bench.station_mut(station).unwrap();

@@ -6,7 +6,6 @@ use super::editor::EditorState;
 use super::{Fault, Store};
 use crate::client::Client;
 use crate::clock;
-use crate::protocol::ToWorker;
 
 /// Looks for a sign of life this often, ms. A worker that stands idle sends ten frames a second.
 const LOOK_MS: u32 = 1000;
@@ -82,17 +81,8 @@ impl Store {
         self.start_worker();
         self.editor.update(EditorState::forget_controller);
         self.start_on_new_line();
-        if let Some(memory) = self.kept.get_untracked() {
-            self.send(ToWorker::Restore(memory));
-        }
-        let (speed, line) = self
-            .device
-            .with_untracked(|device| (device.speed, device.line));
-        self.send(ToWorker::Speed(speed));
-        if let Some(line) = line {
-            self.send(ToWorker::Line(line));
-        }
-        self.set_terminal(self.terminal_settings.get_untracked());
+        let line = self.device.with_untracked(|device| device.line);
+        self.equip_worker(line, self.terminal_settings.get_untracked());
         self.notice.set(Some(
             "The simulator has failed and was started again. Programs and files are back; what ran has stopped.",
         ));

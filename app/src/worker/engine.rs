@@ -60,7 +60,7 @@ impl Engine {
     /// One clear line, if there is no such kind.
     pub fn new(kind: &str) -> Result<Engine, String> {
         let kind = catalog::kind(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
-        let station = (kind.create)(&[])?;
+        let station = kind.create(&[])?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
         let station = bench.add(kind.id, station, None);

@@ -63,7 +63,7 @@ enum At {
 
 impl Session {
     pub(super) fn new(arguments: &RunArguments, record: bool) -> Result<Session, String> {
-        let station = (arguments.controller.create)(&arguments.options)?;
+        let station = arguments.controller.create(&arguments.options)?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
         bench.add(info.id, station, None);

@@ -130,7 +130,9 @@ impl Program {
     /// took; `None` if it did not compute what it should.
     pub(super) fn run(&self, n: u32, speed: &str) -> Option<Nanos> {
         let kind = catalog::kind(self.controller)?;
-        let station = (kind.create)(&[("speed".to_owned(), speed.to_owned())]).ok()?;
+        let station = kind
+            .create(&[("speed".to_owned(), speed.to_owned())])
+            .ok()?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
         let station = bench.add(info.id, station, None);

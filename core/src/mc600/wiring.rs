@@ -37,6 +37,7 @@ pub const ENABLE: usize = 12;
 pub const LAMPS: Lamps = Lamps {
     signal: "outputs",
     labels: &["0", "1", "2", "3", "4", "5", "6", "7", "8", "9"],
+    strobe: None,
 };
 
 /// From `-most` to `most`.

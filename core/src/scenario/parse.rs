@@ -177,7 +177,7 @@ impl<'a> Parser<'a> {
             options.push(option);
         }
         let line = take_line(&mut options)?;
-        let created = (kind.create)(&options)?;
+        let created = kind.create(&options)?;
         let shares = created.controller().info().sharing != Sharing::Alone;
         if line.is_some() && !shares {
             return Err(format!("{id} has a host line of its own"));

@@ -95,7 +95,7 @@ mod tests {
         fn new() -> (Bed, Vec<Option<u32>>) {
             let kind = catalog::kind("smartmotor").unwrap();
             let mut bench = Bench::new();
-            bench.add("motor", (kind.create)(&[]).unwrap(), None);
+            bench.add("motor", kind.create(&[]).unwrap(), None);
             bench.power(0, true);
             let mut bed = Bed(bench, Probe::default());
             let revision = bed.motor().load(&Slot::Program, PROGRAM).unwrap();

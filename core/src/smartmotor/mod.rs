@@ -23,6 +23,8 @@ pub mod store;
 mod vm;
 pub mod wiring;
 
+pub use firmware::LINE;
+
 use crate::controller::{ControllerInfo, MemoryItem, Opt, Ports};
 use crate::exec::{Credit, Wait};
 use crate::hold::Hold;

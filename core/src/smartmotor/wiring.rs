@@ -29,6 +29,7 @@ pub const INPUTS: &[Wired] = &[
 pub const LAMPS: Lamps = Lamps {
     signal: "pins",
     labels: &["A", "B", "C", "D", "E", "F", "G"],
+    strobe: None,
 };
 
 const fn pin(label: &'static str, name: &'static str, wire: &'static str) -> Wired {

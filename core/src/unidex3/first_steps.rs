@@ -28,3 +28,24 @@ pub const STEPS: &[FirstStep] = &[
     Type("\u{1b}01", "addresses the unit again"),
     Type("A 05", "runs the program"),
 ];
+
+/// The same by the keys of the front panel: a square.
+pub const PANEL: &[(&str, &str)] = &[
+    (
+        "EDT 0 5 EXC",
+        "opens program 05, empty: `>>` is where it begins",
+    ),
+    ("SHIFT G 9 1 *", "G91: moves count from where the axes are"),
+    (
+        "SHIFT X 1 0 0 0 SHIFT F 5 0 0 *",
+        "X1000 F500: 1000 steps of X, 500 in a second",
+    ),
+    ("SHIFT Y 1 0 0 0 SHIFT F 5 0 0 *", "the same of Y"),
+    ("SHIFT X - 1 0 0 0 *", "X back"),
+    ("SHIFT Y - 1 0 0 0 *", "Y back: the square is closed"),
+    ("SHIFT M 2 *", "M2 ends the program"),
+    (
+        "AUT EXC",
+        "runs it: `RUN   05`, `RUNNING`, and `READY` at the end",
+    ),
+];

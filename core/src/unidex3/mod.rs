@@ -3,11 +3,13 @@
 //! In reading order: `keys` and `panel` are the front panel, `display` its eight characters; `memory` keeps programs,
 //! `words` takes their text apart, `run` carries it out; `execute` is the firmware around it, `power` the self-test and
 //! resets; `line` and `remote` are the serial interface, `listing` what is printed, `status` and `trouble` what is told
-//! of errors; `switches` are the rear panel's; `indexer` is everything that makes pulses.
+//! of errors; `indexer` is everything that makes pulses. `face`, `wiring` and `switches` are what a person meets around
+//! it.
 
 pub mod diagnose;
 mod display;
 mod execute;
+pub mod face;
 mod firmware;
 pub mod first_steps;
 pub mod indexer;
@@ -28,6 +30,7 @@ mod trouble;
 pub mod wiring;
 mod words;
 
+pub use firmware::LINE;
 pub use options::OPTIONS;
 
 use crate::controller::{ControllerInfo, MemoryItem};

@@ -1,6 +1,6 @@
 //! The switches and jumpers of the rear panel and the MPU board while the unit is in use (2-4, tables 2-1 to 2-3).
 //!
-//! They act at once (D330). What they can be is told to a person by `wiring`.
+//! They act at once (D330). `face` tells a person how they can stand.
 
 use super::Unidex3;
 use super::indexer::{Config, Direction, DriveKind, HomeKind, Pair};
@@ -156,4 +156,38 @@ fn configure(config: &mut Config, column: u8) {
         7 => HomeKind::Software(Pair::same(Negative)),
         _ => HomeKind::Hardware,
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SWITCHES;
+    use crate::controller::{Controller, Input, Refused};
+    use crate::time::Nanos;
+    use crate::unidex3::Unidex3;
+
+    fn set(unit: &mut Unidex3, name: &str, value: f64) -> Result<(), Refused> {
+        let name = name.to_owned();
+        unit.input(Nanos::ZERO, Input::Wire { name, value })
+    }
+
+    #[test]
+    fn a_switch_takes_its_positions_and_no_others() {
+        let keyboard = ("keyboard".to_owned(), "1".to_owned());
+        let mut unit = Unidex3::new(&[keyboard]).unwrap();
+        unit.power(Nanos::ZERO, true);
+        for (name, least, most) in SWITCHES {
+            for value in [least, most, (least + most) / 2.0] {
+                let fits = libm::trunc(value) == value;
+                assert_eq!(set(&mut unit, name, value).is_ok(), fits, "{name} {value}");
+            }
+            assert!(set(&mut unit, name, most + 1.0).is_err(), "{name}");
+            assert!(set(&mut unit, name, least - 1.0).is_err(), "{name}");
+        }
+    }
+
+    #[test]
+    fn only_a_shared_panel_has_a_selector() {
+        let mut unit = Unidex3::new(&[]).unwrap();
+        assert!(set(&mut unit, super::PAIR, 1.0).is_err());
+    }
 }

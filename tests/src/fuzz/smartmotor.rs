@@ -109,7 +109,9 @@ impl Chain {
             .collect();
         let mut bench = Bench::new();
         for index in 0..motors {
-            let station = (kind().create)(&options).expect("the options are the motor's");
+            let station = kind()
+                .create(&options)
+                .expect("the options are the motor's");
             bench.add("motor", station, (index > 0).then_some(0));
             bench.power(index, true);
         }

@@ -94,7 +94,7 @@ impl Unit {
             .map(|&(key, value)| (key.to_owned(), value.to_owned()))
             .collect();
         let mut bench = Bench::new();
-        let station = (kind().create)(&options).expect("the options are the unit's");
+        let station = kind().create(&options).expect("the options are the unit's");
         bench.add("unit", station, None);
         bench.power(0, true);
         Unit {

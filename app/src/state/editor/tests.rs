@@ -21,7 +21,7 @@ struct Desk {
 impl Desk {
     fn new(text: &str) -> Desk {
         let kind = catalog::kind("mc600").unwrap();
-        let station = (kind.create)(&[]).unwrap();
+        let station = kind.create(&[]).unwrap();
         let editor = EditorState::new(kind, text);
         let mut desk = Desk { editor, station };
         desk.hear();
@@ -238,7 +238,7 @@ fn the_first_program_moves_the_axis_to_and_fro_within_two_seconds() {
     assert_eq!(editor.problems().len(), 0);
     let kind = editor.kind();
     let mut bench = Bench::new();
-    let station = bench.add(kind.id, (kind.create)(&[]).unwrap(), None);
+    let station = bench.add(kind.id, kind.create(&[]).unwrap(), None);
     bench.power(station, true);
     let mut probe = Probe::recording();
     bench.run_until(Nanos::from_millis(500), &mut probe);

@@ -11,7 +11,7 @@ use crate::time::Nanos;
 pub const FAULTS: [&str; 6] = ["drive", "limit+", "limit-", "stall", "encoder", "estop"];
 
 /// Names that [`Indexer::wire`] knows.
-const WIRES: [&str; 13] = [
+const WIRES: [&str; 17] = [
     "C1",
     "C2",
     "C3",
@@ -25,6 +25,10 @@ const WIRES: [&str; 13] = [
     "feedholdy",
     "homex",
     "homey",
+    "limitx+",
+    "limitx-",
+    "limity+",
+    "limity-",
 ];
 
 /// What can be recorded of an axis after a sample, in steps, steps/s and steps/s².
@@ -63,6 +67,7 @@ impl Indexer {
     /// * `joyx`, `joyy`: the joystick's clocks, to 300,000 Hz, negative in the negative direction; `joybutton` 1 pressed.
     /// * `feedholdx`, `feedholdy`: the feedhold inputs (D298); 0 stops the clock output of the axis, 1 (nothing wired) lets it.
     /// * `homex`, `homey`: 1 presses the home switch wherever the axis is.
+    /// * `limitx+` to `limity-`: 1 presses the limit switch wherever the axis is, as the fault of that name does (D351).
     ///
     /// # Errors
     /// One line if there is no such wire, or the value does not fit.
@@ -97,6 +102,10 @@ impl Indexer {
             "feedholdy" => self.feedhold.y = !on,
             "homex" => self.drives.x.broken.home = on,
             "homey" => self.drives.y.broken.home = on,
+            "limitx+" => self.drives.x.broken.positive_limit = on,
+            "limitx-" => self.drives.x.broken.negative_limit = on,
+            "limity+" => self.drives.y.broken.positive_limit = on,
+            "limity-" => self.drives.y.broken.negative_limit = on,
             _ => {}
         }
         self.settle_inputs();
