@@ -3,9 +3,11 @@
 //! A message is JSON text; the samples of a frame travel beside it as one array of numbers, whose buffer is handed
 //! over rather than copied. Console bytes are text in the devices' eight-bit characters.
 
+use motionbench_core::bench::BusView;
 use motionbench_core::controller::{
     CamTable, Memory, Panel, Revision, Signal, Status, TerminalSettings,
 };
+use motionbench_core::ieee488::{Order, Report};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use motionbench_core::trace::Trace;
@@ -66,6 +68,8 @@ pub enum ToWorker {
         /// Down or up.
         down: bool,
     },
+    /// Something is asked of the controller of the IEEE-488 bus.
+    Bus(Order),
     /// How the terminal's end of the line is set.
     Line(LineSettings),
     /// What the terminal does besides.
@@ -175,6 +179,10 @@ pub struct Frame {
     pub reached: f64,
     /// What its front panel shows, where it has one.
     pub panel: Option<Panel>,
+    /// How the IEEE-488 bus stands, where there is one.
+    pub bus: Option<BusView>,
+    /// What its controller has learnt.
+    pub learnt: Vec<Report>,
     /// What the terminal shows: what the console received, and what was sent if that is shown too.
     pub console: String,
     /// What the console received, where that is not all that the terminal shows.

@@ -4,11 +4,17 @@
 //! samples, and samples come in the order of the stations (the bus master first). What a sample sends acts at its own
 //! stamp, never inside the sample that made it. A clone of the bench is a checkpoint.
 
+mod bus;
+mod panel;
+
+pub use bus::{BusView, BusWait};
+
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use crate::catalog::Station;
 use crate::controller::{Controller, Input, Output, Ports, Refused, Sharing, Telegram};
+use crate::ieee488;
 use crate::probe::{ConsoleByte, MotionLog, Probe};
 use crate::serial::Flow;
 use crate::serial::{Frame, LineSettings, Receiver, Transmitter, XOFF, XON};
@@ -26,6 +32,8 @@ pub struct Bench {
     now: Nanos,
     stations: Vec<Place>,
     lines: Vec<HostLine>,
+    /// The controller of the IEEE-488 bus, once a station has an interface to it.
+    bus: Option<ieee488::Controller>,
     events: BinaryHeap<Reverse<Event>>,
     sequence: u64,
 }
@@ -87,6 +95,7 @@ impl Ord for Event {
 /// What is due next.
 enum Due {
     Event,
+    Bus,
     Host(usize),
     Station(usize),
 }
@@ -117,6 +126,9 @@ impl Bench {
         };
         if let Some(line) = self.lines.get_mut(line) {
             line.chain.push(index);
+        }
+        if station.controller().ieee488().is_some() {
+            self.bus.get_or_insert_default();
         }
         self.stations.push(Place {
             name: name.to_owned(),
@@ -173,12 +185,16 @@ impl Bench {
         }
     }
 
-    /// Gives a station something from outside, now.
+    /// Gives a station something from outside, now. A key of a shared panel reaches the one that it is switched to.
     ///
     /// # Errors
     /// [`Refused`] if there is no such station, or it has no such thing.
     pub fn input(&mut self, station: usize, input: Input) -> Result<(), Refused> {
         let now = self.now;
+        let reached = self.at_shared_panel(station, &input);
+        if !reached.is_empty() {
+            return self.input_to(&reached, &input);
+        }
         match self.station_mut(station) {
             Some(station) => station.input(now, input),
             None => Err(Refused(format!("there is no station {station}"))),
@@ -253,7 +269,8 @@ impl Bench {
     /// stations there may always be something.
     pub fn is_quiet(&self) -> bool {
         let is_telegram = |event: &Event| matches!(event.what, Passing::Telegram(_));
-        self.events.iter().all(|Reverse(event)| is_telegram(event))
+        self.is_bus_quiet()
+            && self.events.iter().all(|Reverse(event)| is_telegram(event))
             && self
                 .lines
                 .iter()
@@ -301,6 +318,9 @@ impl Bench {
                 first = Some((at, due));
             }
         };
+        if let Some(at) = self.bus_due() {
+            consider(at, Due::Bus);
+        }
         for (index, line) in self.lines.iter().enumerate() {
             if let Some(at) = line.transmitter.next_start(self.now) {
                 consider(at, Due::Host(index));
@@ -319,6 +339,7 @@ impl Bench {
                     self.deliver(event, probe);
                 }
             }
+            Due::Bus => self.act_on_bus(probe),
             Due::Host(index) => {
                 let now = self.now;
                 let line = self.lines.get_mut(index);

@@ -38,12 +38,38 @@ impl Station {
     }
 }
 
-/// Which controller it is.
-#[derive(Debug, Clone, Copy)]
-enum Model {
+/// Which controller it is. Apart from [`Kind`], so that whoever only reads the catalogue carries no simulator, and whoever
+/// only simulates none of what is said of a program's text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Model {
     Mc600,
     SmartMotor,
     Unidex3,
+}
+
+impl Model {
+    /// The one called `id`, as in [`Kind::id`].
+    pub fn find(id: &str) -> Option<Model> {
+        match id {
+            "mc600" => Some(Model::Mc600),
+            "smartmotor" => Some(Model::SmartMotor),
+            "unidex3" => Some(Model::Unidex3),
+            _ => None,
+        }
+    }
+
+    /// Makes one, switched off.
+    ///
+    /// # Errors
+    /// One clear line about an option that does not exist or a value that it cannot have.
+    pub fn create(self, options: &[(String, String)]) -> Result<Station, String> {
+        Ok(match self {
+            Model::Mc600 => Station::Mc600(Box::new(Mc600::new(options)?)),
+            Model::SmartMotor => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
+            Model::Unidex3 => Station::Unidex3(Box::new(Unidex3::new(options)?)),
+        })
+    }
 }
 
 /// A kind of controller.
@@ -55,7 +81,8 @@ pub struct Kind {
     pub name: &'static str,
     /// What can be given when it is put on the bench.
     pub options: &'static [Opt],
-    model: Model,
+    /// What makes one.
+    pub model: Model,
     /// Its console's line without options.
     pub line: LineSettings,
     /// What is wrong with a program, told from its text alone.
@@ -190,20 +217,29 @@ pub const KINDS: &[Kind] = &[
 ];
 
 impl Kind {
-    /// Makes one, switched off. Not a field of the row: whoever only reads the catalogue then carries no simulator.
+    /// Makes one, switched off: [`Model::create`].
     ///
     /// # Errors
     /// One clear line about an option that does not exist or a value that it cannot have.
     pub fn create(&self, options: &[(String, String)]) -> Result<Station, String> {
-        Ok(match self.model {
-            Model::Mc600 => Station::Mc600(Box::new(Mc600::new(options)?)),
-            Model::SmartMotor => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
-            Model::Unidex3 => Station::Unidex3(Box::new(Unidex3::new(options)?)),
-        })
+        self.model.create(options)
     }
 }
 
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_model_is_found_by_the_name_of_its_kind() {
+        for kind in KINDS {
+            assert_eq!(Model::find(kind.id), Some(kind.model));
+        }
+        assert_eq!(Model::find("other"), None);
+    }
 }

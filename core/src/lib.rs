@@ -16,6 +16,7 @@ pub mod controller;
 pub mod exec;
 pub mod files;
 pub mod hold;
+pub mod ieee488;
 pub mod io;
 pub mod language;
 pub mod mc600;

@@ -1,5 +1,6 @@
 //! What a run leaves behind. The bench writes to it and never asks it anything.
 
+use crate::ieee488::Report;
 use crate::time::Nanos;
 use crate::trace::Trace;
 
@@ -8,6 +9,8 @@ use crate::trace::Trace;
 pub struct Probe {
     /// What each host line received, oldest first. The reader drains it.
     pub console: Vec<ConsoleByte>,
+    /// What the controller of the IEEE-488 bus has learnt, oldest first. The reader drains it.
+    pub bus: Vec<Report>,
     /// The motion commands, where asked for.
     pub motion: Vec<MotionLog>,
     /// One trace per station, in the bench's order, where recording is on.

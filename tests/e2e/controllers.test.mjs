@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
-import { accessible, eventually, printed, printedEnd } from "./steps.mjs";
+import { accessible, eventually, firstSteps, powerCycle, printed, printedEnd, programText, writeProgram } from "./steps.mjs";
 
 const choice = (page) => page.getByRole("combobox", { name: "Controller" }).first();
 
@@ -10,12 +10,6 @@ const choice = (page) => page.getByRole("combobox", { name: "Controller" }).firs
 async function choose(page, name) {
   await choice(page).selectOption({ label: name });
   await page.locator(".status").getByText("idle", { exact: true }).waitFor();
-}
-
-/** The text in the editor. */
-async function text(page) {
-  const lines = await page.locator(".cm-line").allTextContents();
-  return lines.join("\n");
 }
 
 const position = (page) => page.locator(".strip-label", { hasText: "position" }).locator(".value").first();
@@ -27,7 +21,7 @@ for (const colorScheme of ["light", "dark"]) {
     await printedEnd(page, ">");
     await choose(page, "Animatics SmartMotor");
     await page.getByText("Nothing has moved yet").waitFor();
-    assert.match(await text(page), /^'TEN TURNS/);
+    assert.match(await programText(page), /^'TEN TURNS/);
     await page.getByText("No problems").waitFor();
     await accessible(page);
     await page.getByRole("button", { name: "Run", exact: true }).click();
@@ -80,20 +74,11 @@ siteTest("on a phone the controller is chosen with the project", async (page, { 
 siteTest("what Help says of a SmartMotor works", async (page) => {
   await printedEnd(page, ">");
   await choose(page, "Animatics SmartMotor");
-  await page.getByRole("button", { name: "Help" }).click();
-  const help = page.getByRole("dialog", { name: "Help" });
-  const steps = await help.locator(".steps-help li").evaluateAll((rows) =>
-    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
-  );
-  await page.keyboard.press("Escape");
+  const steps = await firstSteps(page);
   const status = page.locator(".status");
   for (const { press, type } of steps) {
     if (press) {
-      const button = page.getByRole("switch", { name: press });
-      await button.click();
-      await status.getByText("off", { exact: true }).waitFor();
-      await button.click();
-      await status.getByText("idle", { exact: true }).waitFor();
+      await powerCycle(page, press);
       continue;
     }
     await page.getByRole("textbox", { name: "Terminal" }).focus();
@@ -149,25 +134,19 @@ siteTest("the work with each controller is kept", async (page) => {
   await printedEnd(page, ">");
   await page.keyboard.type("10 PRINT 6*7\nSAVE \"B:SEVEN\"\n");
   await printedEnd(page, ">SAVE \"B:SEVEN\"\n>");
-  const field = page.getByRole("textbox", { name: "Program" });
-  const write = async (program) => {
-    await field.click();
-    await page.keyboard.press("Control+a");
-    await page.keyboard.insertText(program);
-  };
-  await write("10 REM MINE");
+  await writeProgram(page, "10 REM MINE");
   await choose(page, "Animatics SmartMotor");
-  await eventually("its first program is there", async () => (await text(page)).startsWith("'TEN"));
-  await write("a=42\nEPTR=0 VST(a,1)\nRa\nEND");
+  await eventually("its first program is there", async () => (await programText(page)).startsWith("'TEN"));
+  await writeProgram(page, "a=42\nEPTR=0 VST(a,1)\nRa\nEND");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await printedEnd(page, "42");
   await page.waitForTimeout(1200);
   await page.reload();
   await eventually("the SmartMotor is on the bench again", async () => (await choice(page).inputValue()) === "smartmotor");
-  await eventually("its program is there", async () => (await text(page)).startsWith("a=42"));
+  await eventually("its program is there", async () => (await programText(page)).startsWith("a=42"));
   await page.getByText("same as in the controller").waitFor();
   await choose(page, "Danaher MC-600");
-  await eventually("the other program is there", async () => (await text(page)) === "10 REM MINE");
+  await eventually("the other program is there", async () => (await programText(page)) === "10 REM MINE");
   await printedEnd(page, ">");
   await page.getByRole("textbox", { name: "Terminal" }).focus();
   await page.keyboard.type("RUN \"B:SEVEN\"\n");

@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
+import { programText, writeProgram } from "./steps.mjs";
 
 /** The text field of the program, once the controller has answered. */
 async function program(page) {
@@ -15,19 +16,6 @@ async function agreement(page, words) {
   await page.locator(".editor .panel-head").getByText(words, { exact: true }).waitFor();
 }
 
-/** The text of the program. */
-async function text(editor) {
-  const lines = await editor.locator(".cm-line").allTextContents();
-  return lines.join("\n");
-}
-
-/** Writes another program over the one in the editor. */
-async function write(page, editor, lines) {
-  await editor.click();
-  await page.keyboard.press("Control+a");
-  await page.keyboard.insertText(lines);
-}
-
 /** The line that runs, once it is `line`. */
 async function runs(page, line) {
   await page.locator(".cm-line.running", { hasText: line }).waitFor();
@@ -37,7 +25,7 @@ const problem = (page) => page.getByRole("group", { name: "Problems" });
 
 siteTest("the first program moves the axis with one press", async (page, { shot }) => {
   const editor = await program(page);
-  assert.match(await text(editor), /^10 REM/);
+  assert.match(await programText(page), /^10 REM/);
   await shot("editor-first-visit");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await agreement(page, "same as in the controller");
@@ -50,7 +38,7 @@ siteTest("the first program moves the axis with one press", async (page, { shot 
 
 siteTest("a mistake is told in the device's words, and cured by a press", async (page, { shot }) => {
   const editor = await program(page);
-  await write(page, editor, "10 A=1\n40 PRINT A\n50 GOTO 45\nPRINT 2");
+  await writeProgram(page, "10 A=1\n40 PRINT A\n50 GOTO 45\nPRINT 2");
   const told = problem(page);
   await told.getByText("?SYNTAX ERROR").waitFor();
   await told.getByText("2 of 2").waitFor();
@@ -59,22 +47,22 @@ siteTest("a mistake is told in the device's words, and cured by a press", async 
   await shot("editor-problem");
   await told.getByRole("button", { name: "Go to line 40" }).click();
   await page.getByText("No problems").waitFor();
-  assert.equal(await text(editor), "10 A=1\n40 PRINT A\n50 GOTO 40\n60 PRINT 2");
+  assert.equal(await programText(page), "10 A=1\n40 PRINT A\n50 GOTO 40\n60 PRINT 2");
   await page.keyboard.press("Control+z");
   await told.getByText("There is no line 45.").waitFor();
 });
 
 siteTest("a text that the controller refuses is said, and nothing is lost", async (page) => {
   const editor = await program(page);
-  await write(page, editor, "PRINT 2");
+  await writeProgram(page, "PRINT 2");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.getByRole("alert").getByText("The controller did not take the program").waitFor();
-  assert.equal(await text(editor), "PRINT 2");
+  assert.equal(await programText(page), "PRINT 2");
 });
 
 siteTest("words are completed and explained; Enter and Tab stay what they are", async (page) => {
   const editor = await program(page);
-  await write(page, editor, "10 FOR NE=1 TO 2\n");
+  await writeProgram(page, "10 FOR NE=1 TO 2\n");
   // Enter ends the line although the list offers NEXT and NEW.
   await page.keyboard.type("20 NEXT NE");
   await page.getByRole("listbox").waitFor();
@@ -82,7 +70,7 @@ siteTest("words are completed and explained; Enter and Tab stay what they are", 
   await page.keyboard.type("30 mmo");
   await page.getByRole("option", { name: "MMOVE" }).waitFor();
   await page.keyboard.press("Tab");
-  assert.equal(await text(editor), "10 FOR NE=1 TO 2\n20 NEXT NE\n30 MMOVE");
+  assert.equal(await programText(page), "10 FOR NE=1 TO 2\n20 NEXT NE\n30 MMOVE");
   await page.keyboard.press("F1");
   await page.getByText("Moves to a position in counts.").waitFor();
   await page.keyboard.press("Escape");
@@ -94,7 +82,7 @@ siteTest("words are completed and explained; Enter and Tab stay what they are", 
 
 siteTest("a breakpoint holds the program, and goes where its line goes", async (page, { shot }) => {
   const editor = await program(page);
-  await write(page, editor, "10 A=1\n20 A=A+1\n30 GOTO 20");
+  await writeProgram(page, "10 A=1\n20 A=A+1\n30 GOTO 20");
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("F9");
   await page.locator(".breakpoint").waitFor();
@@ -112,7 +100,7 @@ siteTest("a breakpoint holds the program, and goes where its line goes", async (
 
 siteTest("neither program replaces the other unasked", async (page, { shot }) => {
   const editor = await program(page);
-  await write(page, editor, "10 PRINT \"OURS\"");
+  await writeProgram(page, "10 PRINT \"OURS\"");
   await page.locator(".screen").click();
   await page.keyboard.type("10 print \"theirs\"\n");
   await agreement(page, "controller differs");
@@ -123,11 +111,11 @@ siteTest("neither program replaces the other unasked", async (page, { shot }) =>
   await shot("editor-two-programs");
   await page.getByRole("button", { name: "Take" }).click();
   await agreement(page, "same as in the controller");
-  assert.equal((await text(editor)).trim(), "10 PRINT \"theirs\"");
+  assert.equal((await programText(page)).trim(), "10 PRINT \"theirs\"");
   // Undo brings ours back; now it may replace what was taken from there.
   await editor.click();
   await page.keyboard.press("Control+z");
-  assert.equal(await text(editor), "10 PRINT \"OURS\"");
+  assert.equal(await programText(page), "10 PRINT \"OURS\"");
   await page.getByRole("button", { name: "Run", exact: true }).click();
   await page.locator(".row", { hasText: /^OURS/ }).waitFor();
 });

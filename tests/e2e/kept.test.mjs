@@ -4,39 +4,29 @@ import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { siteTest } from "./harness.mjs";
+import { eventually, printedEnd, programText, writeProgram } from "./steps.mjs";
 
 const folder = fileURLToPath(new URL("../../target/e2e/", import.meta.url));
 
-/** The text field of the program, once the page has its project. */
-async function editor(page) {
+/** Waits until the page has its project. */
+async function opened(page) {
   await printedEnd(page, ">");
   await page.locator(".status .saved").getByText(/saved|read-only/).waitFor();
-  return page.getByRole("textbox", { name: "Program" });
 }
 
 /** Writes another program over the one in the editor. */
 async function write(page, text) {
-  const field = await editor(page);
-  await field.click();
-  await page.keyboard.press("Control+a");
-  await page.keyboard.insertText(text);
+  await opened(page);
+  await writeProgram(page, text);
 }
 
 /** Waits until the program in the editor is `text`. */
 async function shows(page, text) {
-  await editor(page);
-  await page.waitForFunction((text) => {
-    const root = document.querySelector("program-editor")?.shadowRoot ?? document;
-    return [...root.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n") === text;
-  }, text);
-}
-
-/** Waits until the terminal's text ends with `end`. */
-async function printedEnd(page, end) {
-  await page.waitForFunction((end) => {
-    const rows = [...document.querySelectorAll(".row")].map((row) => row.textContent.trimEnd());
-    return rows.join("\n").trimEnd().endsWith(end);
-  }, end);
+  await opened(page);
+  await eventually("the program is there", async () => {
+    const seen = await programText(page);
+    return seen === text || seen;
+  });
 }
 
 /** Waits until all changes are kept. */

@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
+import { programText, writeProgram } from "./steps.mjs";
 
 /** `MOTIONBENCH_KILLS=100` for the long run. */
 const KILLS = Number(process.env.MOTIONBENCH_KILLS ?? 15);
@@ -20,16 +21,7 @@ async function program(page) {
   await page.locator(".status .saved").getByText(/^sav/).waitFor();
   // The editor shows it in the next frame.
   await page.waitForTimeout(100);
-  return page.evaluate(() => {
-    const root = document.querySelector("program-editor").shadowRoot;
-    return [...root.querySelectorAll(".cm-line")].map((line) => line.textContent).join("\n");
-  });
-}
-
-async function write(page, text) {
-  await page.getByRole("textbox", { name: "Program" }).click();
-  await page.keyboard.press("Control+a");
-  await page.keyboard.insertText(text);
+  return programText(page);
 }
 
 const fresh = async (page, { address, context }) => {
@@ -71,7 +63,7 @@ siteTest(
     for (let kill = 1; kill <= KILLS; kill += 1) {
       for (let edit = 0; edit <= below(4); edit += 1) {
         const text = `10 REM KILL ${kill} EDIT ${edit}`;
-        await write(page, text);
+        await writeProgram(page, text);
         edits.push({ text, at: performance.now() });
         await page.waitForTimeout(below(800));
       }

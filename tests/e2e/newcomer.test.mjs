@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
 import { busy, paints } from "./measures.mjs";
-import { eventually, printed, printedEnd } from "./steps.mjs";
+import { eventually, firstSteps, powerCycle, printed, printedEnd } from "./steps.mjs";
 
 const position = (page) => page.locator(".strip-label", { hasText: "position" }).locator(".value").first();
 
@@ -28,21 +28,12 @@ siteTest("from opening the page to an axis that moves it takes one press", async
 
 siteTest("what Help says leads to a program of one's own that outlives the power", async (page, { shot }) => {
   await printedEnd(page, ">");
-  await page.getByRole("button", { name: "Help" }).click();
-  const help = page.getByRole("dialog", { name: "Help" });
-  const steps = await help.locator(".steps-help li").evaluateAll((rows) =>
-    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
-  );
+  const steps = await firstSteps(page);
   assert.ok(steps.length > 5, "Help has steps");
-  await page.keyboard.press("Escape");
   await page.getByRole("textbox", { name: "Terminal" }).focus();
   for (const { press, type } of steps) {
     if (press) {
-      const button = page.getByRole("switch", { name: press });
-      await button.click();
-      await page.locator(".status").getByText("off", { exact: true }).waitFor();
-      await button.click();
-      await page.locator(".status").getByText("idle", { exact: true }).waitFor();
+      await powerCycle(page, press);
       await printedEnd(page, ">");
       await stands(page, "0");
       continue;

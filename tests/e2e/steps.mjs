@@ -31,6 +31,40 @@ export function printedEnd(page, end) {
   });
 }
 
+/** The text in the editor. */
+export async function programText(page) {
+  const lines = await page.locator(".cm-line").allTextContents();
+  return lines.join("\n");
+}
+
+/** Writes another program over the one in the editor. */
+export async function writeProgram(page, text) {
+  await page.getByRole("textbox", { name: "Program" }).click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.insertText(text);
+}
+
+/** The first steps as Help tells them: what to press, what to type. */
+export async function firstSteps(page) {
+  await page.getByRole("button", { name: "Help" }).click();
+  const rows = page.getByRole("dialog", { name: "Help" }).locator(".steps-help li");
+  const steps = await rows.evaluateAll((rows) =>
+    rows.map((row) => ({ press: row.querySelector("strong")?.textContent, type: row.querySelector("code")?.textContent })),
+  );
+  await page.keyboard.press("Escape");
+  return steps;
+}
+
+/** Switches a device off and on again, by the name of its switch. */
+export async function powerCycle(page, name) {
+  const button = page.getByRole("switch", { name });
+  const status = page.locator(".status");
+  await button.click();
+  await status.getByText("off", { exact: true }).waitFor();
+  await button.click();
+  await status.getByText("idle", { exact: true }).waitFor();
+}
+
 /** Has the browser paste a text where the keyboard is. */
 export function paste(page, text) {
   return page.evaluate((text) => {

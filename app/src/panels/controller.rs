@@ -16,11 +16,11 @@ pub(super) fn ControllerChoice(store: Store, keeper: Keeper) -> impl IntoView {
         }
     };
     let options = KINDS.iter().map(|kind| {
-        view! { <option value=kind.id selected=move || present.get() == kind.id>{kind.name}</option> }
+        view! { <option value=kind.id prop:selected=move || present.get() == kind.id>{kind.name}</option> }
     });
     view! {
         <select class="select controller" aria-label="Controller" title="The controller on the bench"
-            disabled=move || keeper.is_read_only() prop:value=present on:change=choose>
+            disabled=move || keeper.is_read_only() on:change=choose>
             {options.collect_view()}
         </select>
     }

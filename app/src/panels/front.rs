@@ -3,6 +3,7 @@
 use leptos::prelude::*;
 use motionbench_core::controller::Face;
 
+mod bus;
 mod device;
 mod hands;
 mod joystick;
@@ -19,6 +20,7 @@ enum Side {
     Front,
     Rear,
     Printer,
+    Bus,
 }
 
 /// What stands beside the device.
@@ -33,10 +35,12 @@ enum Tray {
 pub(super) fn Front(store: Store, face: &'static Face) -> impl IntoView {
     let side = RwSignal::new(Side::Front);
     let tray = RwSignal::new(None);
+    let has_bus = Memo::new(move |_| store.device.with(|device| device.bus.is_some()));
     let shown = move || match side.get() {
         Side::Front => view! { <device::Device store face tray /> }.into_any(),
         Side::Rear => view! { <rear::Rear store face /> }.into_any(),
         Side::Printer => view! { <printer::Printer store /> }.into_any(),
+        Side::Bus => view! { <bus::Bus store /> }.into_any(),
     };
     let tab = move |this: Side, title: &'static str| {
         let current = move || (side.get() == this).then_some("true");
@@ -60,6 +64,7 @@ pub(super) fn Front(store: Store, face: &'static Face) -> impl IntoView {
                     {tab(Side::Front, "Front")}
                     {tab(Side::Rear, "Rear")}
                     {tab(Side::Printer, "Printer")}
+                    <Show when=move || has_bus.get()>{tab(Side::Bus, "Bus")}</Show>
                     <button type="button" class="side to-terminal"
                         on:click=move |_| store.layout.update(|layout| layout.show(Panel::Terminal))>
                         "Terminal"

@@ -8,9 +8,10 @@ use super::controller::ControllerChoice;
 use super::dialog::Dialog;
 use crate::clock;
 use crate::state::Store;
-use crate::state::project::{Project, ProjectError};
+use crate::state::project::{LARGEST, Project, ProjectError};
 use crate::state::versions::{Reason, Version};
-use crate::storage::{Fault, Keeper, Keeping, files};
+use crate::storage::files::{self, Unreadable};
+use crate::storage::{Fault, Keeper, Keeping};
 
 /// The media type of a project's file.
 const PROJECT: &str = "application/json";
@@ -46,9 +47,17 @@ impl Desk {
     }
 
     async fn import(self) {
-        if let Some(text) = files::choose().await {
-            self.take(text, Reason::Import).await;
-        }
+        let Some(file) = files::choose().await else {
+            return;
+        };
+        let text = files::text(&file, LARGEST).await;
+        let text = text.map_err(|why| match why {
+            Unreadable::TooLarge => ProjectError::TooLarge,
+            Unreadable::Refused => {
+                ProjectError::Broken("the browser cannot read the file".to_owned())
+            }
+        });
+        self.take(text, Reason::Import).await;
     }
 
     async fn go_back(self, version: Version) {

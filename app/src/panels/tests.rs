@@ -7,13 +7,14 @@ use std::rc::Rc;
 use leptos::mount::mount_to;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use motionbench_core::controller::{RunState, Signal, Status};
+use motionbench_core::catalog::kind;
+use motionbench_core::controller::{self, Led, RunState, Signal, Status};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-use web_sys::{Element, HtmlElement};
+use web_sys::{Element, Event, HtmlElement};
 
-use super::{estop, io, status, terminal};
+use super::{estop, front, io, status, terminal};
 use crate::clock::within;
 use crate::offline::Updates;
 use crate::protocol::{BUILD, Frame, Ready};
@@ -119,6 +120,8 @@ impl Panel {
             status,
             reached: 1.0,
             panel: None,
+            bus: None,
+            learnt: Vec::new(),
             console: String::new(),
             received: None,
             pending: 0,
@@ -158,6 +161,80 @@ async fn a_switch_and_a_lamp_show_how_they_stand() {
         panel.text(lamps).contains("output 2 off"),
         "dark without mains"
     );
+}
+
+fn front_panel() -> Panel {
+    Panel::show(|store| {
+        let kind = kind("unidex3").unwrap();
+        store.editor.update(|editor| editor.change_kind(kind));
+        view! { <front::Front store face=kind.face.unwrap() /> }
+    })
+}
+
+#[wasm_bindgen_test]
+async fn a_front_panel_says_what_it_shows() {
+    let panel = front_panel();
+    panel.ready();
+    let shown = controller::Panel {
+        display: "EDIT 25 ".to_owned(),
+        leds: vec![
+            ("EDIT".to_owned(), Led::Flashing),
+            ("XLMT".to_owned(), Led::On),
+        ],
+        tracking: vec![
+            ("x".to_owned(), "-4567".to_owned()),
+            ("y".to_owned(), String::new()),
+        ],
+    };
+    panel.frame(1, |frame| frame.panel = Some(shown), &[]).await;
+    let text = panel.text(".stand .unseen");
+    for said in [
+        "Display: EDIT 25",
+        "X -4567",
+        "Y dark",
+        "EDIT flashing",
+        "XLMT on",
+    ] {
+        assert!(text.contains(said), "{said} in {text}");
+    }
+    assert!(
+        panel.text(".stand [role=status]").is_empty(),
+        "not before it rests"
+    );
+    within::<()>(1000, std::future::pending()).await;
+    assert_eq!(
+        panel.text(".stand [role=status]"),
+        "EDIT 25, EDIT flashing, XLMT on"
+    );
+    assert!(panel.find(".mode .led").class_list().contains("flashing"));
+    panel
+        .frame(2, |frame| frame.status.power = false, &[])
+        .await;
+    assert!(panel.text(".note[role=status]").contains("Power"));
+}
+
+#[wasm_bindgen_test]
+async fn a_key_is_down_while_a_finger_holds_it() {
+    let panel = front_panel();
+    panel.ready();
+    let key = panel.find(".cap.UP");
+    let is_down = || key.class_list().contains("down");
+    for end in ["pointerup", "pointercancel", "lostpointercapture"] {
+        key.dispatch_event(&Event::new("pointerdown").unwrap())
+            .unwrap();
+        drawn().await;
+        assert!(is_down(), "{end}");
+        key.dispatch_event(&Event::new(end).unwrap()).unwrap();
+        drawn().await;
+        assert!(!is_down(), "{end}");
+    }
+    key.dispatch_event(&Event::new("pointerdown").unwrap())
+        .unwrap();
+    window()
+        .dispatch_event(&Event::new("blur").unwrap())
+        .unwrap();
+    drawn().await;
+    assert!(!is_down(), "the window went to the back");
 }
 
 #[wasm_bindgen_test]

@@ -2,9 +2,10 @@
 
 use leptos::prelude::*;
 use motionbench_core::catalog::{Kind, kind};
-use motionbench_core::controller::Memory;
+use motionbench_core::controller::{Memory, TerminalSettings};
 use motionbench_core::serial::LineSettings;
 
+use super::bus::BusLog;
 use super::editor::EditorState;
 use super::front::{Paper, Settings};
 use super::project::{self, Desk};
@@ -106,16 +107,30 @@ impl Store {
         }
         self.editor
             .update(|editor| editor.open(&desk.text, desk.breakpoints));
-        let speed = self.device.with_untracked(|device| device.speed);
-        self.send(ToWorker::Speed(speed));
-        self.set_line(desk.line);
-        self.set_terminal(desk.terminal);
-        self.kept.set(Some(desk.device.memory.clone()));
+        self.kept.set(Some(desk.device.memory));
         // What the mains switch clears comes back behind it.
         if !desk.device.power {
             self.send(ToWorker::Power(false));
         }
-        self.send(ToWorker::Restore(desk.device.memory));
+        self.equip_worker(Some(desk.line), desk.terminal);
+    }
+
+    /// Gives a worker all that the one before it had been given, but for its power.
+    pub(super) fn equip_worker(
+        self,
+        line: Option<LineSettings>,
+        terminal: Option<TerminalSettings>,
+    ) {
+        self.send(ToWorker::Speed(
+            self.device.with_untracked(|device| device.speed),
+        ));
+        if let Some(line) = line {
+            self.set_line(line);
+        }
+        self.set_terminal(terminal);
+        if let Some(memory) = self.kept.get_untracked() {
+            self.send(ToWorker::Restore(memory));
+        }
     }
 
     /// Takes everything off the bench that belongs to the present controller, and starts a simulator of another.
@@ -129,6 +144,9 @@ impl Store {
         self.wiring.set(Wiring::new(kind));
         self.settings.set(settings);
         self.paper.set(Paper::default());
+        self.bus.set(BusLog::default());
+        self.cam.set(None);
+        self.filed.set(None);
         self.asked.set(false);
         self.refusal.set(None);
         self.health.set_value(Health::default());

@@ -1,5 +1,6 @@
 //! The controller as the page last heard of it.
 
+use motionbench_core::bench::BusView;
 use motionbench_core::controller::{Panel, RunState, Status};
 use motionbench_core::exec::Wait;
 use motionbench_core::serial::{LineSettings, Parity};
@@ -22,6 +23,8 @@ pub struct Device {
     pub status: Option<Status>,
     /// What its front panel shows, where it has one.
     pub panel: Option<Panel>,
+    /// How the IEEE-488 bus stands, where there is one.
+    pub bus: Option<BusView>,
     /// Simulated time.
     pub now: Nanos,
     /// The simulation speed asked for.
@@ -59,6 +62,7 @@ impl Default for Device {
             console: None,
             status: None,
             panel: None,
+            bus: None,
             now: Nanos::ZERO,
             speed: Speed::Times(1.0),
             reached: 0.0,
@@ -82,6 +86,7 @@ impl Device {
             News::Frame(frame, _) => {
                 self.status = Some(frame.status.clone());
                 self.panel.clone_from(&frame.panel);
+                self.bus = frame.bus;
                 self.now = frame.now;
                 self.reached = frame.reached;
                 self.pending = frame.pending;
@@ -229,6 +234,8 @@ mod tests {
             status,
             reached: 1.0,
             panel: None,
+            bus: None,
+            learnt: Vec::new(),
             console: String::new(),
             received: None,
             pending: 0,

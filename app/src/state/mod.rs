@@ -2,6 +2,7 @@
 
 pub mod axis;
 mod bench;
+pub mod bus;
 mod console;
 pub mod device;
 pub mod editor;

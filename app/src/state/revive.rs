@@ -97,17 +97,8 @@ impl Store {
         if !on {
             self.send(ToWorker::Power(false));
         }
-        if let Some(memory) = self.kept.get_untracked() {
-            self.send(ToWorker::Restore(memory));
-        }
-        let (speed, line) = self
-            .device
-            .with_untracked(|device| (device.speed, device.line));
-        self.send(ToWorker::Speed(speed));
-        if let Some(line) = line {
-            self.send(ToWorker::Line(line));
-        }
-        self.set_terminal(self.terminal_settings.get_untracked());
+        let line = self.device.with_untracked(|device| device.line);
+        self.equip_worker(line, self.terminal_settings.get_untracked());
     }
 
     /// Starts a worker; the one before it, if any, ends.
@@ -119,6 +110,7 @@ impl Store {
         if let Some(Some(before)) = before {
             before.end();
         }
+        self.send(ToWorker::Terminal(untrack(|| self.terminal_settings())));
     }
 }
 

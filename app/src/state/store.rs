@@ -7,6 +7,7 @@ use motionbench_core::catalog::{KINDS, Kind};
 use motionbench_core::controller::{CamTable, Memory, RunState, TerminalSettings};
 use motionbench_core::exec::Wait;
 
+use super::bus::BusLog;
 use super::editor::EditorState;
 use super::front::{Paper, Settings};
 use super::project::{Desk, Layout};
@@ -74,6 +75,8 @@ pub struct Store {
     pub paper: RwSignal<Paper>,
     /// The printer listens to the line.
     pub printer: RwSignal<bool>,
+    /// What was asked of the IEEE-488 bus, and what came of it.
+    pub bus: RwSignal<BusLog>,
     /// Grows with each pulse of the outputs' strobe that was seen.
     pub strobes: RwSignal<u64>,
     /// Something that the user should know, until it is put away.
@@ -120,6 +123,7 @@ impl Store {
             settings: RwSignal::default(),
             paper: RwSignal::default(),
             printer: RwSignal::new(true),
+            bus: RwSignal::default(),
             strobes: RwSignal::new(0),
             notice: RwSignal::new(None),
             wanted: StoredValue::new(None),
@@ -183,7 +187,7 @@ impl Store {
         self.recorded.update(|count| *count += 1);
     }
 
-    /// What leaves a controller that has a face: its strobe, and what a printer puts on paper.
+    /// What leaves a controller that has a face: its strobe, and what a printer puts on paper, what the bus carries.
     fn hear_outputs(&self, frame: &Frame, samples: &[f64]) {
         let kind = untrack(|| self.kind());
         let strobed = kind.lamps.strobe.is_some_and(|strobe| {
@@ -201,6 +205,10 @@ impl Store {
         });
         if strobed {
             self.strobes.update(|count| *count += 1);
+        }
+        if !frame.learnt.is_empty() {
+            self.bus
+                .update(|log| frame.learnt.iter().for_each(|report| log.learn(*report)));
         }
         let text = frame.received.as_ref().unwrap_or(&frame.console);
         if kind.face.is_some() && !text.is_empty() && self.printer.get_untracked() {

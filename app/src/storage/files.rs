@@ -6,8 +6,6 @@ use leptos::wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, BlobPropertyBag, File, HtmlAnchorElement, HtmlInputElement, Url};
 
-use crate::state::project::{LARGEST, ProjectError};
-
 /// Gives the user a text of that media type as a file, as downloads are given.
 ///
 /// # Errors
@@ -34,9 +32,8 @@ pub fn save_blob(name: &str, contents: &Blob) -> Result<(), JsValue> {
     Url::revoke_object_url(&address)
 }
 
-/// Lets the user choose a project's file, and reads it; `None` if the user chose none. Only a press of the user's may
-/// lead to this.
-pub async fn choose() -> Option<Result<String, ProjectError>> {
+/// Lets the user choose a project's file; `None` if the user chose none. Only a press of the user's may lead to this.
+pub async fn choose() -> Option<File> {
     let input: HtmlInputElement = document().create_element("input").ok()?.unchecked_into();
     input.set_type("file");
     input.set_accept(".json,application/json");
@@ -48,20 +45,26 @@ pub async fn choose() -> Option<Result<String, ProjectError>> {
     });
     input.click();
     let _ = JsFuture::from(chosen).await;
-    let file = input.files()?.get(0)?;
-    Some(read(&file).await)
+    input.files()?.get(0)
 }
 
-/// The text of a file that may be a project's.
+/// Why a file's text is not to be had.
+pub enum Unreadable {
+    /// It has more bytes than are wanted.
+    TooLarge,
+    /// The browser cannot read it.
+    Refused,
+}
+
+/// The text of a file of at most so many bytes.
 ///
 /// # Errors
-/// [`ProjectError`] if it is too large for one, or the browser cannot read it.
-pub async fn read(file: &File) -> Result<String, ProjectError> {
-    if file.size() > LARGEST as f64 {
-        return Err(ProjectError::TooLarge);
+/// [`Unreadable`].
+pub async fn text(file: &File, most: usize) -> Result<String, Unreadable> {
+    if file.size() > most as f64 {
+        return Err(Unreadable::TooLarge);
     }
     let text = JsFuture::from(file.text()).await;
-    text.ok()
-        .and_then(|text| text.as_string())
-        .ok_or_else(|| ProjectError::Broken("the browser cannot read the file".to_owned()))
+    let text = text.ok().and_then(|text| text.as_string());
+    text.ok_or(Unreadable::Refused)
 }

@@ -1,11 +1,12 @@
 //! The bench with one controller on it, driven by the page's messages. It knows neither browser nor wall clock.
 
-use motionbench_core::bench::Bench;
-use motionbench_core::catalog;
+use motionbench_core::bench::{Bench, BusView};
+use motionbench_core::catalog::Model;
 use motionbench_core::controller::{
     Control, Controller, ControllerInfo, Debug, DebugReply, Input, Memory, Panel, RunState, Slot,
     Status, Survives, TerminalSettings,
 };
+use motionbench_core::ieee488;
 use motionbench_core::language::latin1;
 use motionbench_core::probe::Probe;
 use motionbench_core::time::Nanos;
@@ -48,6 +49,10 @@ pub struct Report {
     pub status: Status,
     /// What its front panel shows.
     pub panel: Option<Panel>,
+    /// How the IEEE-488 bus stands.
+    pub bus: Option<BusView>,
+    /// What its controller has learnt.
+    pub learnt: Vec<ieee488::Report>,
     /// What the terminal shows.
     pub console: String,
     /// What the console received, where that is not the same.
@@ -67,11 +72,11 @@ impl Engine {
     /// One clear line, if there is no such kind or it has no such option.
     pub fn new(name: &str) -> Result<Engine, String> {
         let (kind, options) = read_bench_name(name);
-        let kind = catalog::kind(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
-        let station = kind.create(&options)?;
+        let model = Model::find(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
+        let station = model.create(&options)?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
-        let station = bench.add(kind.id, station, None);
+        let station = bench.add(info.id, station, None);
         let line = bench
             .line_of(station)
             .ok_or("the controller has no console")?;
@@ -85,7 +90,10 @@ impl Engine {
             station,
             line,
             sender: Sender::default(),
-            terminal: kind.terminal,
+            terminal: TerminalSettings {
+                local_echo: false,
+                line_feeds: false,
+            },
             frozen: false,
             may_be_held: false,
             kept: Memory::default(),
@@ -158,6 +166,8 @@ impl Engine {
                 key: key.clone(),
                 down: *down,
             }),
+            // The page offers only what there is; what is too much at once is not done.
+            ToWorker::Bus(order) => drop(self.bench.order(order)),
             ToWorker::Line(settings) => self.bench.set_line(self.line, *settings),
             ToWorker::Terminal(settings) => self.terminal = *settings,
             ToWorker::Break => self.bench.send_break(self.line),
@@ -334,6 +344,8 @@ impl Engine {
             now: self.now(),
             status: self.status(),
             panel: self.station().panel(),
+            bus: self.bench.bus(),
+            learnt: std::mem::take(&mut self.probe.bus),
             received: (received != shown || self.terminal.line_feeds)
                 .then(|| latin1::text(&received)),
             console: self.as_shown(&shown),

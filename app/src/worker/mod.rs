@@ -176,6 +176,8 @@ impl Host {
             status: report.status,
             reached: self.pacing.reached(wall, report.now),
             panel: report.panel,
+            bus: report.bus,
+            learnt: report.learnt,
             console: report.console,
             received: report.received,
             pending: report.pending,

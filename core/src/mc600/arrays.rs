@@ -114,6 +114,46 @@ impl Array {
         }
     }
 
+    /// The number at one subscript, if the array has one dimension and such an element.
+    #[inline(always)]
+    pub fn number_at(&self, at: f64) -> Option<f64> {
+        let index = self.place(at)?;
+        match &self.elements {
+            Elements::Real(elements) => elements.get(index).copied(),
+            Elements::Integer(elements) => elements.get(index).map(|&value| f64::from(value)),
+            Elements::Text(_) => None,
+        }
+    }
+
+    /// Sets the number at one subscript; false, and nothing done, where that needs more than a store.
+    #[inline(always)]
+    pub fn set_number_at(&mut self, at: f64, value: f64) -> bool {
+        let Some(index) = self.place(at) else {
+            return false;
+        };
+        match &mut self.elements {
+            Elements::Real(elements) => match Rc::make_mut(elements).get_mut(index) {
+                Some(element) => *element = value,
+                None => return false,
+            },
+            Elements::Integer(elements) => {
+                match (Rc::make_mut(elements).get_mut(index), to_integer(value)) {
+                    (Some(element), Ok(value)) => *element = value,
+                    _ => return false,
+                }
+            }
+            Elements::Text(_) => return false,
+        }
+        true
+    }
+
+    /// The place of one subscript, which may lie behind the last element.
+    #[inline(always)]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, behind any array
+    fn place(&self, at: f64) -> Option<usize> {
+        (self.sizes.len() == 1 && at >= 0.0).then_some(at as usize)
+    }
+
     /// Where an element stands, dimensioning the array to 10 in each direction on its first use (D29).
     ///
     /// # Errors

@@ -105,10 +105,16 @@ pub enum Code {
     Not,
     /// Goes to the target.
     Jump,
-    /// Goes to the target if `ra` is zero.
-    JumpIfZero,
-    /// Goes to the target if `ra` is not zero.
-    JumpIfNotZero,
+    /// Goes on behind the next operation if `ra` is not zero; that one jumps elsewhere.
+    When,
+    /// The same if `ra = rb`.
+    WhenEqual,
+    /// `<>`
+    WhenNotEqual,
+    /// `<`
+    WhenLess,
+    /// `<=`
+    WhenLessEqual,
     /// Starts a FOR loop with variable `ra`, limit `rb`, step `rc`; the body follows.
     For,
     /// The same with an integer variable.
@@ -119,6 +125,10 @@ pub enum Code {
     Gosub,
     /// Returns.
     Return,
+    /// `rc = array a (rb)`, one subscript
+    LoadAt,
+    /// `array a (rb) = rc`, one subscript
+    StoreAt,
     /// `rc = array a (linear index rb)`
     Load,
     /// `array a (linear index rb) = rc`
@@ -129,6 +139,10 @@ pub enum Code {
     Subscripts,
     /// `rc = linear index of array a`, subscripts in registers from `b`
     Index,
+    /// `rc = INT(ra)`
+    Floor,
+    /// `rc = SQRT(ra)`
+    SquareRoot,
     /// Does nothing but end a statement.
     Nothing,
 

@@ -7,28 +7,26 @@ use super::value::{in_range, to_integer};
 /// Arguments above this overflow EXP (EXP).
 const EXP_LIMIT: f64 = 88.029_691_9;
 
-/// Functions of one number by the numbers that compiled programs know them by.
-const BY_NUMBER: [Function; 17] = [
+/// Functions of one number by the numbers that compiled programs know them by; INT and SQRT are operations.
+const BY_NUMBER: [Function; 15] = [
     Function::Abs,
     Function::Atn,
     Function::Cos,
     Function::Exp,
     Function::Insta,
-    Function::Int,
     Function::Log,
     Function::Outsta,
     Function::Rnd,
     Function::Sgn,
     Function::Sin,
     Function::Sqr,
-    Function::Sqrt,
     Function::Tan,
     Function::CanData,
     Function::Sdoerror,
     Function::Sdoread,
 ];
 
-/// The number that compiled programs know a function by; `None` for functions of strings and of two numbers.
+/// The number that compiled programs know a function by; `None` for those that are operations of their own.
 pub fn number(function: Function) -> Option<u16> {
     let position = BY_NUMBER.iter().position(|&known| known == function)?;
     u16::try_from(position).ok()
@@ -49,13 +47,11 @@ pub fn pure(function: Function, x: f64) -> Result<f64, ErrorCode> {
         Function::Atn => in_range(libm::atan(x)),
         Function::Cos => in_range(libm::cos(x)),
         Function::Exp => exponential(x),
-        Function::Int => Ok(x.floor()),
         Function::Log => logarithm(x),
         Function::Sgn if x > 0.0 => Ok(1.0),
         Function::Sgn => Ok(if x < 0.0 { -1.0 } else { 0.0 }),
         Function::Sin => in_range(libm::sin(x)),
         Function::Sqr => in_range(x * x),
-        Function::Sqrt => square_root(x),
         Function::Tan => tangent(x),
         _ => Err(ErrorCode::Syntax),
     }
@@ -75,7 +71,12 @@ fn logarithm(x: f64) -> Result<f64, ErrorCode> {
     in_range(libm::log(x))
 }
 
-fn square_root(x: f64) -> Result<f64, ErrorCode> {
+/// The square root.
+///
+/// # Errors
+/// ILLEGAL QUANTITY of a negative number.
+#[inline(always)]
+pub fn square_root(x: f64) -> Result<f64, ErrorCode> {
     if x < 0.0 {
         Err(ErrorCode::IllegalQuantity)
     } else {

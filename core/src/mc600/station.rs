@@ -57,6 +57,7 @@ pub(super) fn info() -> ControllerInfo {
         keys: Vec::new(),
         sample: SAMPLE,
         sharing: Sharing::Alone,
+        panel_selector: None,
     }
 }
 
@@ -101,6 +102,7 @@ impl Controller for Mc600 {
                 self.machine.configure(&axis, &key, &value).map_err(Refused)
             }
             Input::Key { .. } => Err(Refused("mc600 has no panel".to_owned())),
+            Input::Ieee488(_) => Err(Refused("mc600 has no IEEE-488 bus".to_owned())),
             Input::Telegram(telegram) => {
                 self.machine.receive(&telegram);
                 Ok(())

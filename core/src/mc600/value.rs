@@ -96,8 +96,17 @@ pub fn append(text: &mut Text, more: &[u8]) -> Result<(), ErrorCode> {
     if text.len() + more.len() > STRING_LENGTH {
         return Err(ErrorCode::StringTooLong);
     }
-    text.extend_from_slice(more);
+    extend(text, more);
     Ok(())
+}
+
+/// Appends whatever the length. Single characters are the commonest, and a copy of any length costs a browser a call.
+#[inline]
+pub fn extend(text: &mut Text, more: &[u8]) {
+    match more {
+        &[byte] => text.push(byte),
+        _ => text.extend_from_slice(more),
+    }
 }
 
 #[cfg(test)]

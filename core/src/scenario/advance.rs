@@ -5,6 +5,7 @@ use crate::controller::{RunState, Status, Value};
 use crate::exec::Wait;
 use crate::time::Nanos;
 
+use super::bus::BusOutput;
 use super::condition::Condition;
 use super::console::{Reader, find};
 use super::report::Digest;
@@ -31,6 +32,8 @@ pub(super) struct State<'a> {
     pub(super) folds: Vec<Fold>,
     /// In order of time, and at the same time in the order they were scheduled.
     pub(super) schedule: Vec<(Nanos, Scheduled<'a>)>,
+    /// What the controller of the IEEE-488 bus has learnt.
+    pub(super) bus: BusOutput,
     pub(super) digest: Digest,
 }
 
@@ -68,6 +71,10 @@ pub(super) enum Goal<'t> {
     },
     /// The station's console is at its prompt, and all that was typed has been read.
     Prompt { station: usize },
+    /// The controller of the IEEE-488 bus has done all that was asked of it.
+    Bus,
+    /// A unit requests service on the IEEE-488 bus.
+    Service,
     /// The condition fails, with this value.
     Breaks {
         station: usize,
@@ -86,6 +93,7 @@ impl<'a> State<'a> {
             readers: Vec::new(),
             folds: vec![Fold::default(); watches],
             schedule: Vec::new(),
+            bus: BusOutput::default(),
             digest: Digest::new(),
         }
     }
@@ -151,6 +159,9 @@ impl<'a> Runner<'a> {
                     _ => format!("{}: {reason}", planned.name),
                 });
             }
+        }
+        if let Some(reason) = self.bus_waits() {
+            return Some(reason);
         }
         (!bench.is_quiet()).then(|| "bytes are on the line".to_owned())
     }
@@ -225,6 +236,10 @@ impl<'a> Runner<'a> {
                 }
             }
         }
+        for report in self.probe.bus.drain(..) {
+            state.digest.add(report.word());
+            state.bus.hear(report)?;
+        }
         let mut sampled = false;
         for index in 0..self.state.bench.len() {
             let next = self
@@ -288,6 +303,8 @@ impl<'a> Runner<'a> {
                 *from += (rest.len() + 1).saturating_sub(text.len().max(1));
                 found
             }
+            Goal::Bus => self.state.bench.bus().is_none_or(|bus| !bus.busy),
+            Goal::Service => self.state.bench.bus().is_some_and(|bus| bus.service),
             Goal::Prompt { station } => sampled && self.is_at_prompt(*station),
             Goal::Breaks {
                 station,

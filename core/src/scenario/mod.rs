@@ -1,12 +1,13 @@
 //! The scenario language: puts controllers on the bench, does to them what a person would, and says what must follow.
 //!
-//! `text` takes a line apart, `parse` and `words` make statements of it, `run` and `station` perform them, `advance` lets time pass
+//! `text` takes a line apart, `parse` and `words` make statements of it, `run`, `station`, `panel` and `bus` perform them, `advance` lets time pass
 //! meanwhile, `watch` folds what is seen, `report` tells how it went. `docs/scenario.md` describes the language.
 //!
 //! A scenario is parsed whole before it runs, so that what is folded while running (`check always`, `check ever`) is
 //! known from the start. Parsing is bounded and never panics; files that a scenario mentions are handed in.
 
 mod advance;
+mod bus;
 mod condition;
 mod console;
 mod panel;

@@ -9,10 +9,8 @@ use crate::language::latin1;
 
 impl Runner<'_> {
     fn panel(&mut self, station: usize) -> Result<Panel, Failure> {
-        match self.controller(station)?.panel() {
-            Some(panel) => Ok(panel),
-            None => Err(self.has_no(station, "panel")),
-        }
+        let panel = self.state.bench.panel(station);
+        panel.ok_or_else(|| self.has_no(station, "panel"))
     }
 
     pub(super) fn display(&mut self, station: usize, text: &str) -> Done {
@@ -31,7 +29,7 @@ impl Runner<'_> {
 
     /// The paper of a printer is what the console's line has sent.
     pub(super) fn printer(&mut self, station: usize, text: &[u8]) -> Done {
-        match self.controller(station)?.panel() {
+        match self.state.bench.panel(station) {
             Some(_) => self.expect(station, text),
             None => Err(self.has_no(station, "printer")),
         }

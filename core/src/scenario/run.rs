@@ -203,6 +203,7 @@ impl<'a> Runner<'a> {
             Action::Led { name, state } => self.led(station, name, *state),
             Action::Lamp { name, on } => self.lamp(station, name, *on),
             Action::Printer(text) => self.printer(station, text),
+            Action::Bus(action) => self.bus(station, action),
             Action::Needs(part) => Err(self.has_no(station, part)),
             Action::Repeat { count, body } => (0..*count).try_for_each(|_| self.execute(body)),
             Action::At { time, statement } => self.at(station, *time, statement),

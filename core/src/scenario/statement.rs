@@ -4,6 +4,7 @@ use crate::controller::{Led, Slot};
 use crate::serial::{Flow, Parity};
 use crate::time::Nanos;
 
+use super::bus::BusAction;
 use super::condition::Condition;
 
 /// One statement, where it stands and which station it is about.
@@ -96,7 +97,9 @@ pub(super) enum Action {
     },
     /// On the paper, which is what the console's line has sent.
     Printer(Vec<u8>),
-    /// Needs a part that no present controller has: `ieee488 bus`.
+    /// On the IEEE-488 bus.
+    Bus(BusAction),
+    /// Needs a part that no present controller has: `modbus bus`.
     Needs(String),
     Repeat {
         count: u32,
@@ -132,6 +135,9 @@ pub(super) enum LineSetting {
 impl Action {
     /// Whether it is done at one moment, so that `at` can schedule it.
     pub(super) fn is_momentary(&self) -> bool {
+        if let Action::Bus(action) = self {
+            return action.is_momentary();
+        }
         !matches!(
             self,
             Action::Bench

@@ -4,6 +4,7 @@ use crate::controller::{Led, Slot};
 use crate::language::latin1;
 use crate::serial::{Flow, Parity};
 
+use super::bus;
 use super::statement::{Action, LineSetting};
 use super::text::{Line, number};
 
@@ -108,7 +109,7 @@ pub(super) fn action(word: &str, mut line: Line<'_>) -> Result<Action, String> {
             on: on_or_off(&mut line)?,
         },
         "printer" => Action::Printer(not_empty(line.bytes()?)?),
-        "bus" => bus(&mut line)?,
+        "bus" => bus::action(&mut line)?,
         _ => return Err(unknown(word)),
     };
     line.end()?;
@@ -290,12 +291,4 @@ fn led_state(line: &mut Line<'_>) -> Result<Led, String> {
         "flashing" => Ok(Led::Flashing),
         state => Err(format!("`{state}` is not a state of an LED")),
     }
-}
-
-/// A part that no controller has yet.
-fn bus(line: &mut Line<'_>) -> Result<Action, String> {
-    let bus = line.need("the bus")?;
-    line.need("what to do on the bus")?;
-    while line.word().is_some() {}
-    Ok(Action::Needs(format!("{bus} bus")))
 }

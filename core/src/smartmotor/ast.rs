@@ -253,6 +253,13 @@ pub enum LineFlag {
 pub enum Report {
     /// `Ra`, `RP`, `RBt`: a number.
     Value(Operand),
+    /// A text.
+    Text(TextReport),
+}
+
+/// Reports that are no single number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TextReport {
     /// `RW`: the status word.
     Word,
     /// `RS`: its low byte.

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target, VARIABLES};
+use super::ast::{Array, LineCommand, LineFlag, Place, Source, Target, TextReport, VARIABLES};
 use super::motor::{Command, Flag};
 
 /// Registers: variables, temporaries, constants of the host's command, constants of the program. A power of two.
@@ -87,6 +87,8 @@ pub enum Code {
     Add,
     /// `rc = ra - rb`
     Subtract,
+    /// `rc = rc + the number whose halves are a and b`: counting is the commonest of all sums
+    Count,
     /// `rc = ra * rb`
     Multiply,
     /// `rc = ra / rb`, toward zero; by zero it is 0 and sets Bd
@@ -184,25 +186,6 @@ pub enum Slow {
     System(System),
     /// Nothing but a statement's time.
     Nothing,
-}
-
-/// Reports that are no single number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TextReport {
-    /// `RW`
-    Word,
-    /// `RS`
-    Byte,
-    /// `RPW`
-    PositionAndWord,
-    /// `RSP`
-    Sample,
-    /// `RCKS`
-    Checksum,
-    /// `RCS1`
-    Channel1,
-    /// `RMODE`
-    Mode,
 }
 
 /// What only the firmware around the interpreter can do.

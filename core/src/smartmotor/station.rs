@@ -1,7 +1,6 @@
 //! The SmartMotor as a station on the bench.
 
 use super::ast::{Expr, Operand, Place, Report, StatementKind, Target};
-use super::code::TextReport;
 use super::compile::compile;
 use super::firmware::{LINE, PROGRAM_BYTES, SAMPLE};
 use super::memory::{element, set_element};
@@ -60,6 +59,7 @@ pub(super) fn info() -> ControllerInfo {
         keys: Vec::new(),
         sample: SAMPLE,
         sharing: Sharing::Chain,
+        panel_selector: None,
     }
 }
 
@@ -104,6 +104,7 @@ impl Controller for SmartMotor {
                 self.motor.configure(&axis, &key, &value).map_err(Refused)
             }
             Input::Key { .. } => Err(Refused("smartmotor has no panel".to_owned())),
+            Input::Ieee488(_) => Err(Refused("smartmotor has no IEEE-488 bus".to_owned())),
             Input::Telegram(_) => Ok(()),
         }
     }
@@ -310,13 +311,7 @@ impl SmartMotor {
                     .operand(operand)
                     .map(|value| Value::Number(f64::from(value)));
             }
-            Report::Word => TextReport::Word,
-            Report::Byte => TextReport::Byte,
-            Report::PositionAndWord => TextReport::PositionAndWord,
-            Report::Sample => TextReport::Sample,
-            Report::Checksum => TextReport::Checksum,
-            Report::Channel1 => TextReport::Channel1,
-            Report::Mode => TextReport::Mode,
+            Report::Text(text) => text,
         };
         let text = vm::text_report(text, &self.motor, &self.checksum);
         Some(match text.parse() {

@@ -129,7 +129,7 @@ impl Unidex3 {
             indexer: &mut self.indexer,
             memory: &self.memory,
             now,
-            oem_in: self.oem_in,
+            oem_in: self.options.oem_in,
             remote: self.remote_run,
             without: self.options.without,
             show: &mut shown,

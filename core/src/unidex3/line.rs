@@ -34,6 +34,12 @@ impl Line {
         }
     }
 
+    /// The switches are set.
+    pub fn set(&mut self, settings: LineSettings) {
+        self.receiver.set(settings);
+        self.transmitter.set(settings);
+    }
+
     /// A character has passed on the wire.
     pub fn accept(&mut self, frame: Frame) {
         self.receiver.accept(frame);

@@ -3,7 +3,8 @@
 //! In reading order: `keys` and `panel` are the front panel, `display` its eight characters; `memory` keeps programs,
 //! `words` takes their text apart, `run` carries it out; `execute` is the firmware around it, `power` the self-test and
 //! resets; `line` and `remote` are the serial interface, `listing` what is printed, `status` and `trouble` what is told
-//! of errors; `indexer` is everything that makes pulses. `face` and `wiring` are what a person meets around it.
+//! of errors; `indexer` is everything that makes pulses. `face`, `wiring` and `switches` are what a person meets around
+//! it.
 
 pub mod diagnose;
 mod display;
@@ -24,6 +25,7 @@ mod remote;
 mod run;
 mod station;
 mod status;
+mod switches;
 mod trouble;
 pub mod wiring;
 mod words;
@@ -49,8 +51,8 @@ use trouble::Errors;
 pub struct Unidex3 {
     info: ControllerInfo,
     options: Options,
-    /// The OEM jumper is in.
-    oem_in: bool,
+    /// The axis-pair selector of the panel, where units share one.
+    pair: u8,
     powered: bool,
     indexer: Indexer,
     memory: Memory,
@@ -141,8 +143,8 @@ impl Unidex3 {
     pub fn new(options: &[(String, String)]) -> Result<Unidex3, String> {
         let options = Options::new(options)?;
         Ok(Unidex3 {
-            info: station::info(options.line),
-            oem_in: options.oem_in,
+            info: station::info(&options),
+            pair: 1,
             powered: false,
             indexer: Indexer::new(options.config),
             memory: Memory::new(options.kilobytes),

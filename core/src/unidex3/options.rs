@@ -53,6 +53,10 @@ pub const OPTIONS: &[Opt] = &[
         help: "the last-device switch: yes (default) or no",
     },
     Opt {
+        key: "ppr",
+        help: "the parallel poll switches: 1 (default) to 8",
+    },
+    Opt {
         key: "oem",
         help: "the OEM jumper: in (default) or out",
     },
@@ -62,7 +66,7 @@ pub const OPTIONS: &[Opt] = &[
     },
     Opt {
         key: "keyboard",
-        help: "the keyboard jumper: yes (default) or no",
+        help: "the keyboard jumpers: yes (default), no, or 1 to 8 for a panel that units share by its axis-pair selector",
     },
     Opt {
         key: "baud",
@@ -89,14 +93,18 @@ pub struct Options {
     pub config: Config,
     /// Device address.
     pub address: u8,
+    /// The data line that answers a parallel poll, 1 to 8.
+    pub poll_line: u8,
     /// Last-device switch.
     pub last: bool,
-    /// OEM jumper at first.
+    /// OEM jumper.
     pub oem_in: bool,
     /// JP37 is in: a limit in remote goes to local.
     pub limit_goes_local: bool,
-    /// A keyboard is there.
-    pub keyboard: bool,
+    /// The keyboard address, 1 to 8; 0 is none: keys do nothing.
+    pub keyboard: u8,
+    /// The panel is one for several units.
+    pub shares_panel: bool,
     /// The serial line.
     pub line: LineSettings,
     /// A word that this unit lacks.
@@ -114,10 +122,12 @@ impl Options {
             kilobytes: 4,
             config: Config::default(),
             address: 1,
+            poll_line: 1,
             last: true,
             oem_in: true,
             limit_goes_local: true,
-            keyboard: true,
+            keyboard: 1,
+            shares_panel: false,
             line: LINE,
             without: None,
         };
@@ -139,10 +149,14 @@ impl Options {
                 let address = value.parse().ok().filter(|address| *address <= 30);
                 self.address = address.ok_or("address is a number from 0 to 30")?;
             }
+            "ppr" => {
+                let line = value.parse().ok().filter(|line| (1..=8).contains(line));
+                self.poll_line = line.ok_or("ppr is a number from 1 to 8")?;
+            }
             "last" => self.last = yes_or_no(key, value)?,
             "oem" => self.oem_in = in_or_out(key, value)?,
             "jp37" => self.limit_goes_local = in_or_out(key, value)?,
-            "keyboard" => self.keyboard = yes_or_no(key, value)?,
+            "keyboard" => self.set_keyboard(value)?,
             "baud" => {
                 let baud = value.parse().ok();
                 let baud = baud.filter(|baud| (50..=38_400).contains(baud));
@@ -156,6 +170,18 @@ impl Options {
             }
             _ => return self.set_drive(key, value),
         }
+        Ok(())
+    }
+
+    fn set_keyboard(&mut self, value: &str) -> Result<(), String> {
+        let place = value.parse().ok().filter(|place| (1..=8).contains(place));
+        self.shares_panel = place.is_some();
+        self.keyboard = match (place, value) {
+            (Some(place), _) => place,
+            (None, "yes") => 1,
+            (None, "no") => 0,
+            (None, _) => return Err("keyboard is yes, no or a number from 1 to 8".to_owned()),
+        };
         Ok(())
     }
 

@@ -6,14 +6,14 @@ use super::panel::{Edit, Mode};
 use super::run::{Register, Wait};
 use super::trouble::Trouble;
 use super::words::packed;
-use super::{Busy, Unidex3, keys, listing};
+use super::{Busy, Options, Unidex3, keys, listing, switches};
 use crate::controller::{
     Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Output,
     Panel, Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
 };
 use crate::exec;
+use crate::ieee488::Lines;
 use crate::language::{latin1, split_lines};
-use crate::serial::LineSettings;
 use crate::time::Nanos;
 
 /// The version of the items below.
@@ -25,13 +25,11 @@ const SETTINGS_ITEM: &str = "SETTINGS";
 const DEFAULT_PROGRAM: u8 = 1;
 /// Faults of the unit itself.
 const OWN_FAULTS: [&str; 5] = ["rom", "sram", "uram", "battery", "internal"];
-/// Wires of the unit itself: the jumpers that a person changes.
-const OEM_WIRE: &str = "OEM";
 /// The RTS line of the unit behind in the daisy chain.
 const RTS_WIRE: &str = "RTS";
 
 /// What a Unidex is and what it has.
-pub(super) fn info(line: LineSettings) -> ControllerInfo {
+pub(super) fn info(options: &Options) -> ControllerInfo {
     let axis_signals = [
         ("position", "steps"),
         ("command", "steps"),
@@ -60,13 +58,13 @@ pub(super) fn info(line: LineSettings) -> ControllerInfo {
         signals.push(signal(name.to_owned(), "level"));
     }
     let mut wires = Indexer::wires();
-    wires.push(OEM_WIRE.to_owned());
+    wires.extend(switches::names());
     wires.push(RTS_WIRE.to_owned());
     ControllerInfo {
         id: "unidex3",
         name: "Aerotech Unidex IIIa",
         axes: vec!["x", "y"],
-        line,
+        line: options.line,
         prompt: "",
         // Clears all units, without a self-test.
         attention: b"\x1BC\r",
@@ -79,6 +77,7 @@ pub(super) fn info(line: LineSettings) -> ControllerInfo {
         keys: keys::NAMES.to_vec(),
         sample: SAMPLE,
         sharing: Sharing::Bus,
+        panel_selector: options.shares_panel.then_some(switches::PAIR),
     }
 }
 
@@ -111,9 +110,8 @@ impl Controller for Unidex3 {
                 }
                 Ok(())
             }
-            Input::Wire { name, value } if name == OEM_WIRE => {
-                self.oem_in = value != 0.0;
-                Ok(())
+            Input::Wire { name, value } if switches::is_switch(&name) => {
+                self.set_switch(at, &name, value).map_err(Refused)
             }
             Input::Wire { name, value } if name == RTS_WIRE => {
                 self.remote.set_behind(value != 0.0);
@@ -127,6 +125,10 @@ impl Controller for Unidex3 {
                 .map_err(Refused),
             Input::Key { key, down } => self.key(at, &key, down),
             Input::Telegram(_) => Ok(()),
+            Input::Ieee488(message) => {
+                self.bus_message(message);
+                Ok(())
+            }
         }
     }
 
@@ -179,9 +181,7 @@ impl Controller for Unidex3 {
         }
         let inputs = (1..=4).map(|input| u8::from(self.indexer.input(input)) << (input - 1));
         row.extend([self.run.outputs, inputs.sum(), self.run.flags].map(f64::from));
-        row.extend(
-            [self.strobed, self.powered && self.remote.rts()].map(|on| f64::from(u8::from(on))),
-        );
+        row.extend([self.strobed, self.rts()].map(|on| f64::from(u8::from(on))));
     }
 
     fn status(&self) -> Status {
@@ -190,7 +190,7 @@ impl Controller for Unidex3 {
             run: self.run_state(),
             line: self.device_line(),
             spent: self.credit.spent,
-            unread: self.line.unread() + self.remote.unread(),
+            unread: self.line.unread() + self.remote.unread() + self.unread_on_bus(),
             unsent: self.line.unsent(),
             moving: self.indexer.is_moving(),
             enabled: self.powered && self.indexer.is_enabled(),
@@ -202,7 +202,12 @@ impl Controller for Unidex3 {
     }
 
     fn panel(&self) -> Option<Panel> {
-        Some(self.shown())
+        // A shared panel shows the unit that it is switched to.
+        (!self.options.shares_panel || self.has_keyboard()).then(|| self.shown())
+    }
+
+    fn ieee488(&self) -> Option<Lines> {
+        Some(self.bus_lines())
     }
 
     fn debug(&mut self, command: Debug) -> DebugReply {
@@ -322,7 +327,7 @@ impl Controller for Unidex3 {
 impl Unidex3 {
     /// Tells the unit before this one what the RTS line is, when it changes, and that there is one.
     fn raise_rts(&mut self, ports: &mut Ports) {
-        let rts = self.powered && self.remote.rts();
+        let rts = self.rts();
         if self.rts != Some(rts) {
             self.rts = Some(rts);
             let output = Output::Wire {
@@ -331,6 +336,10 @@ impl Unidex3 {
             };
             ports.outputs.push((self.next, output));
         }
+    }
+
+    fn rts(&self) -> bool {
+        self.powered && self.remote.rts(self.options.last)
     }
 
     fn run_state(&self) -> RunState {
@@ -387,7 +396,7 @@ impl Unidex3 {
         Ok(())
     }
 
-    /// A register, the flags, the outputs, or what the line and the panel show.
+    /// A register, the flags, the outputs, a status byte, or what the line and the panel show.
     fn read(&self, name: &str) -> Option<Value> {
         if let Some(register) = Register::from_name(name.as_bytes()) {
             #[allow(clippy::cast_precision_loss)] // to 2,000,000,000
@@ -407,6 +416,11 @@ impl Unidex3 {
             "free" => Some(Value::Number(f64::from(
                 u32::try_from(self.memory.free()).ok()?,
             ))),
+            _ if name.starts_with("status") => {
+                let place: usize = name.strip_prefix("status")?.parse().ok()?;
+                let byte = *self.status_bytes().get(place.checked_sub(1)?)?;
+                Some(Value::Number(f64::from(byte)))
+            }
             _ => match name.get(..1)? {
                 "M" => bit(self.run.outputs, name.get(1..)?),
                 "C" => {

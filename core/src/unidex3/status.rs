@@ -1,6 +1,7 @@
 //! The ten status bytes (Appendix 2; spec, "Status bytes").
 
 use super::indexer::{Direction, DriveKind, HomeKind};
+use super::remote::Interface;
 use super::run::{RegisterMode, Wait};
 use super::{Link, Unidex3};
 
@@ -36,17 +37,19 @@ impl Unidex3 {
             self.poll_byte(),
             self.mode_byte(),
             byte(&[
-                (5, self.link == Link::Remote),
+                (5, self.is_remote_by(Interface::Serial)),
                 (4, self.remote.is_addressed()),
-                (3, self.line.unsent() > 0),
+                (3, self.line.unsent() > 0 || self.remote.bus.talks()),
                 (1, self.remote.requests_by_string()),
             ]),
             byte(&[
                 (7, self.link == Link::Remote),
-                (5, self.link != Link::Local),
+                (6, self.may_have(Interface::Bus)),
+                (5, self.may_have(Interface::Serial)),
+                (4, self.may_have(Interface::Bus)),
                 (3, self.remote.is_requesting()),
                 (2, self.remote.hexadecimal),
-                (1, self.is_printing()),
+                (1, self.is_printing() || self.is_listing()),
                 (0, self.was_reset),
             ]),
             syntax,
@@ -55,6 +58,11 @@ impl Unidex3 {
             self.run.outputs,
             self.input_byte(),
         ]
+    }
+
+    /// Whether an interface has the unit or may take it.
+    fn may_have(&self, interface: Interface) -> bool {
+        self.link == Link::Enabled || self.is_remote_by(interface)
     }
 
     fn configuration_byte(&self) -> u8 {
@@ -71,7 +79,7 @@ impl Unidex3 {
             (4, homes.map(|directions| directions.x) == backward),
             (3, homes.map(|directions| directions.y) == backward),
             (2, !self.options.limit_goes_local),
-            (1, self.options.keyboard),
+            (1, self.options.keyboard != 0),
         ])
     }
 

@@ -88,8 +88,9 @@ const DOORS: [&str; 6] = [
 ];
 
 /// Plain data that passes through the doors, and the speed command's 32 axes.
-const PASSING: [&str; 7] = [
+const PASSING: [&str; 8] = [
     "exec::Wait",
+    "ieee488",
     "motion::rig",
     "probe",
     "serial::Flow",

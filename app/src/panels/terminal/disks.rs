@@ -8,6 +8,7 @@ use motionbench_core::controller::DiskInfo;
 use motionbench_core::language::latin1;
 use web_sys::FileList;
 
+use super::file::read;
 use crate::panels::dialog::Dialog;
 use crate::protocol::ToWorker;
 use crate::state::{Store, words};
@@ -133,13 +134,13 @@ fn put(store: Store, disk: &'static DiskInfo, files: &FileList) {
             continue;
         };
         spawn_local(async move {
-            match files::read(&file).await {
+            match read(&file).await {
                 Ok(text) => {
                     let name = format!("{}{}", disk.prefix, file.name().to_uppercase());
                     store.send(ToWorker::PutFile { name, text });
                     store.send(ToWorker::Keep);
                 }
-                Err(error) => store.filed.set(Some(Err(error.to_string()))),
+                Err(words) => store.filed.set(Some(Err(words))),
             }
         });
     }

@@ -5,7 +5,6 @@ use leptos::html;
 use leptos::prelude::*;
 use leptos::task::spawn_local;
 use motionbench_core::time::Nanos;
-use wasm_bindgen_futures::JsFuture;
 use web_sys::File;
 
 use crate::panels::dialog::Dialog;
@@ -13,6 +12,7 @@ use crate::protocol::Pace;
 use crate::state::Store;
 use crate::state::keys::sent;
 use crate::state::terminal::outbox::MOST;
+use crate::storage::files::{self, Unreadable};
 
 /// The longest pause, ms.
 const LONGEST_MS: u64 = 10_000;
@@ -92,11 +92,13 @@ fn pause(ms: &str) -> Nanos {
     Nanos::from_millis(ms.parse::<u64>().unwrap_or(0).min(LONGEST_MS))
 }
 
-async fn read(file: &File) -> Result<String, String> {
-    if file.size() > MOST as f64 {
-        return Err("The file is larger than can be sent: 4 million characters.".to_owned());
-    }
-    let text = JsFuture::from(file.text()).await;
-    let text = text.ok().and_then(|text| text.as_string());
-    text.ok_or_else(|| "The browser cannot read the file.".to_owned())
+/// The text of a file that can be sent or stored, or in words why not.
+pub(super) async fn read(file: &File) -> Result<String, String> {
+    files::text(file, MOST).await.map_err(|why| {
+        match why {
+            Unreadable::TooLarge => "The file is larger than can be sent: 4 million characters.",
+            Unreadable::Refused => "The browser cannot read the file.",
+        }
+        .to_owned()
+    })
 }

@@ -152,7 +152,7 @@ impl Compiler<'_> {
     }
 
     /// Two operands in registers; their temporaries are free again for the result.
-    fn operands(&mut self, left: &Expr, right: &Expr) -> Result<(u16, u16), Refusal> {
+    pub(super) fn operands(&mut self, left: &Expr, right: &Expr) -> Result<(u16, u16), Refusal> {
         let mark = self.number;
         let left = self.operand(left)?;
         let right = self.operand(right)?;
@@ -173,6 +173,12 @@ impl Compiler<'_> {
         match &expr.kind {
             ExprKind::Element(name, subscripts) if name.kind != VariableKind::String => {
                 let mark = self.number;
+                if let [only] = subscripts.as_slice() {
+                    let array = self.symbols.array(name).map_err(at(only.span))?;
+                    let subscript = self.number(only)?.register;
+                    self.number = mark;
+                    return Ok(Op::new(Code::LoadAt, array, subscript, 0));
+                }
                 let (array, index) = self.element(name, subscripts)?;
                 self.number = mark;
                 Ok(Op::new(Code::Load, array, index, 0))
@@ -283,6 +289,16 @@ impl Compiler<'_> {
                 let (left, right) = self.operands(left, right)?;
                 Ok(Op::new(Code::Modulo, left, right, 0))
             }
+            (Function::Int | Function::Sqrt, [argument]) => {
+                let mark = self.number;
+                let argument = self.number(argument)?.register;
+                self.number = mark;
+                let code = match function {
+                    Function::Int => Code::Floor,
+                    _ => Code::SquareRoot,
+                };
+                Ok(Op::new(code, argument, 0, 0))
+            }
             (_, [] | [_]) => {
                 let Some(number) = functions::number(function) else {
                     return Err(mismatch(span, "number"));
@@ -332,118 +348,5 @@ impl Compiler<'_> {
             self.number = temporary + 1;
         }
         Ok(first)
-    }
-
-    /// A string in whatever place it is in.
-    pub(super) fn text(&mut self, expr: &Expr) -> Result<u16, Refusal> {
-        match &expr.kind {
-            ExprKind::Text(text) => {
-                self.operands += 1;
-                self.symbols.text(text).map_err(at(expr.span))
-            }
-            ExprKind::Variable(name) if name.kind == VariableKind::String => {
-                self.operands += 1;
-                self.symbols.string(name).map_err(at(expr.span))
-            }
-            _ => {
-                let temporary = self.string_temporary(expr.span)?;
-                self.text_operation(expr, temporary)?;
-                self.string = temporary + 1;
-                Ok(temporary)
-            }
-        }
-    }
-
-    /// A string put into a place, which is changed only when the whole string is there.
-    pub(super) fn text_into(&mut self, expr: &Expr, place: u16) -> Result<(), Refusal> {
-        if let ExprKind::Binary(BinaryOp::Add, left, right) = &expr.kind {
-            // A$=A$+... appends in place.
-            if self.plain_text(left)? == Some(place) {
-                let right = self.text(right)?;
-                self.emit(Op::new(Code::StringAppend, right, 0, place));
-                return Ok(());
-            }
-        }
-        let from = self.text(expr)?;
-        self.emit(Op::new(Code::StringMove, from, 0, place));
-        Ok(())
-    }
-
-    fn plain_text(&mut self, expr: &Expr) -> Result<Option<u16>, Refusal> {
-        match &expr.kind {
-            ExprKind::Variable(name) if name.kind == VariableKind::String => {
-                Ok(Some(self.text(expr)?))
-            }
-            _ => Ok(None),
-        }
-    }
-
-    fn text_operation(&mut self, expr: &Expr, to: u16) -> Result<(), Refusal> {
-        let numbers = self.number;
-        match &expr.kind {
-            ExprKind::Element(name, subscripts) if name.kind == VariableKind::String => {
-                let (array, index) = self.element(name, subscripts)?;
-                self.emit(Op::new(Code::StringLoad, array, index, to));
-            }
-            ExprKind::Binary(BinaryOp::Add, left, right) => {
-                if matches!(left.kind, ExprKind::Text(_) | ExprKind::Variable(_)) {
-                    let left = self.text(left)?;
-                    self.emit(Op::new(Code::StringMove, left, 0, to));
-                } else {
-                    self.text_operation(left, to)?;
-                }
-                let right = self.text(right)?;
-                self.emit(Op::new(Code::StringAppend, right, 0, to));
-            }
-            ExprKind::Call(function, arguments) => {
-                self.text_function(*function, arguments, to, expr.span)?
-            }
-            _ => return Err(mismatch(expr.span, "string")),
-        }
-        self.number = numbers;
-        Ok(())
-    }
-
-    fn text_function(
-        &mut self,
-        function: Function,
-        arguments: &[Expr],
-        to: u16,
-        span: Span,
-    ) -> Result<(), Refusal> {
-        self.operands += 1;
-        let op = match (function, arguments) {
-            (Function::ChrS, [code]) => Op::new(Code::Chr, self.number(code)?.register, 0, to),
-            (Function::StrS, [value]) => {
-                let number = self.printed_number(value)?;
-                Op::new(Code::Str, number.register, u16::from(number.integer), to)
-            }
-            (Function::LeftS | Function::RightS, [text, length]) => {
-                let text = self.text(text)?;
-                let length = self.number(length)?.register;
-                let code = if function == Function::LeftS {
-                    Code::Left
-                } else {
-                    Code::Right
-                };
-                Op::new(code, text, length, to)
-            }
-            (Function::MidS, [text, start]) => {
-                let text = self.text(text)?;
-                Op::new(Code::MidRest, text, self.number(start)?.register, to)
-            }
-            (Function::MidS, [text, start, length]) => {
-                let text = self.text(text)?;
-                let first = self.number_temporary(span)?;
-                self.number_into(start, first)?;
-                self.number = first + 1;
-                let second = self.number_temporary(span)?;
-                self.number_into(length, second)?;
-                Op::new(Code::Mid, text, first, to)
-            }
-            _ => return Err(mismatch(span, "string")),
-        };
-        self.emit(op);
-        Ok(())
     }
 }

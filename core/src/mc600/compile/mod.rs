@@ -3,7 +3,9 @@
 
 mod calls;
 mod expressions;
+mod flow;
 mod statements;
+mod texts;
 
 use std::rc::Rc;
 

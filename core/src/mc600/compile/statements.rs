@@ -1,12 +1,10 @@
 //! One function a statement.
 
-use super::super::ast::{
-    Expr, LineRef, Name, PrintItem, Statement, StatementKind, Target, VariableKind,
-};
+use super::super::ast::{Expr, Name, PrintItem, Statement, StatementKind, Target, VariableKind};
 use super::super::code::{ANY, Code, Op, SystemCall};
 use super::super::firmware::ErrorCode;
 use super::expressions::Type;
-use super::{Compiler, OpenWhile, Refusal, at, mismatch};
+use super::{Compiler, Refusal, at};
 use crate::language::Span;
 
 /// Where a value goes, with its subscripts already evaluated.
@@ -157,13 +155,8 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn plain(&mut self, code: Code) {
+    pub(super) fn plain(&mut self, code: Code) {
         self.emit(Op::new(code, 0, 0, 0));
-        self.charge();
-    }
-
-    fn go(&mut self, code: Code, to: LineRef) {
-        self.jump_to_line(code, to);
         self.charge();
     }
 
@@ -220,6 +213,7 @@ impl Compiler<'_> {
 
     /// Stores what stands in a register, or in a string for a string target.
     fn store(&mut self, place: &Place, from: u16) {
+        let last = self.ops.last().copied();
         let op = match *place {
             Place::Number {
                 register,
@@ -235,6 +229,15 @@ impl Compiler<'_> {
                 index,
                 kind: VariableKind::String,
             } => Op::new(Code::StringStore, array, index, from),
+            // Nothing was evaluated since the subscript.
+            Place::Element { array, index, .. }
+                if let Some(found) = last
+                    && found.code == Code::Index1
+                    && found.c == index =>
+            {
+                self.ops.pop();
+                Op::new(Code::StoreAt, array, found.b, from)
+            }
             Place::Element { array, index, .. } => Op::new(Code::Store, array, index, from),
             Place::System(var) => Op::new(Code::SetSystem, var, from, 0),
         };
@@ -345,134 +348,6 @@ impl Compiler<'_> {
         };
         self.emit(Op::new(code, 0, 0, temporary));
         self.store(&place, temporary);
-        Ok(())
-    }
-
-    fn on(&mut self, selector: &Expr, gosub: bool, lines: &[LineRef]) -> Result<(), Refusal> {
-        let selector = self.number(selector)?.register;
-        let count = u16::try_from(lines.len()).unwrap_or(u16::MAX);
-        self.emit(Op::new(Code::On, selector, count, 0));
-        self.charge();
-        for line in lines {
-            self.jump_to_line(if gosub { Code::OnGosub } else { Code::OnGoto }, *line);
-        }
-        Ok(())
-    }
-
-    fn when(
-        &mut self,
-        condition: &Expr,
-        then: &[Statement],
-        otherwise: Option<&[Statement]>,
-    ) -> Result<(), Refusal> {
-        let condition = self.number(condition)?.register;
-        let skip = self.emit(Op::jump(Code::JumpIfZero, condition, 0));
-        self.charge();
-        self.statements(then);
-        match otherwise {
-            Some(otherwise) => {
-                let end = self.emit(Op::jump(Code::Jump, 0, 0));
-                self.land(skip);
-                self.statements(otherwise);
-                self.land(end);
-            }
-            None => self.land(skip),
-        }
-        Ok(())
-    }
-
-    fn repeat(
-        &mut self,
-        variable: &Name,
-        start: &Expr,
-        limit: &Expr,
-        step: Option<&Expr>,
-        span: Span,
-    ) -> Result<(), Refusal> {
-        if variable.kind == VariableKind::String {
-            return Err(mismatch(span, "number"));
-        }
-        let integer = variable.kind == VariableKind::Integer;
-        let register = self.symbols.number(variable).map_err(at(span))?;
-        if integer {
-            self.integer_into(start, register)?;
-        } else {
-            self.number_into(start, register)?;
-        }
-        let limit = self.number(limit)?.register;
-        let step = match step {
-            Some(step) => self.number(step)?.register,
-            None => self.symbols.constant(1.0).map_err(at(span))?,
-        };
-        let code = if integer { Code::ForInteger } else { Code::For };
-        self.emit(Op::new(code, register, limit, step));
-        self.charge();
-        Ok(())
-    }
-
-    fn next(&mut self, names: &[Name], span: Span) -> Result<(), Refusal> {
-        if names.is_empty() {
-            self.emit(Op::new(Code::Next, ANY, 0, 0));
-            self.charge();
-        }
-        for name in names {
-            if name.kind == VariableKind::String {
-                return Err(mismatch(span, "number"));
-            }
-            let register = self.symbols.number(name).map_err(at(span))?;
-            self.emit(Op::new(Code::Next, register, 0, 0));
-            self.charge();
-        }
-        Ok(())
-    }
-
-    fn open_while(&mut self, condition: Option<&Expr>, span: Span) -> Result<(), Refusal> {
-        let start = self.here();
-        let exit = match condition {
-            Some(condition) => {
-                let condition = self.number(condition)?.register;
-                let enter = self.emit(Op::jump(Code::JumpIfNotZero, condition, 0));
-                self.charge();
-                let exit = self.emit(Op::jump(Code::Jump, 0, 0));
-                self.land(enter);
-                Some(exit)
-            }
-            None => {
-                self.plain(Code::Nothing);
-                None
-            }
-        };
-        self.whiles.push(OpenWhile {
-            start,
-            exit,
-            line: self.line,
-            span,
-        });
-        Ok(())
-    }
-
-    fn close_while(&mut self, condition: Option<&Expr>, span: Span) -> Result<(), Refusal> {
-        let Some(open) = self.whiles.pop() else {
-            let cause = "this WHEND has no WHILE".to_owned();
-            return Err(Refusal {
-                error: ErrorCode::Syntax,
-                cause,
-                span,
-            });
-        };
-        match condition {
-            Some(condition) => {
-                let condition = self.number(condition)?.register;
-                self.emit(Op::jump(Code::JumpIfZero, condition, open.start));
-            }
-            None => {
-                self.emit(Op::jump(Code::Jump, 0, open.start));
-            }
-        }
-        self.charge();
-        if let Some(exit) = open.exit {
-            self.land(exit);
-        }
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::rc::Rc;
 
-use super::positions::Window;
+use super::positions::{Compared, Window};
 use super::{Edges, Machine};
 use crate::mc600::planner::gear::GearType;
 
@@ -90,17 +90,6 @@ pub enum MotionCommand {
         /// 1 to 2047.
         identifier: u16,
     },
-}
-
-/// What a position comparator looks at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Compared {
-    /// `gv_feedback%`.
-    Feedback,
-    /// `gv_master%`.
-    Master,
-    /// `cm_master%`.
-    CamMaster,
 }
 
 impl fmt::Display for MotionCommand {

@@ -2,10 +2,19 @@
 //!
 //! Source: "Mquotecmp", "msetoutcmp (on,off)", "Msetincap(in, edge, time)", "Gv_latch1%".
 
-use super::command::Compared;
-
 /// One step of `msetincap`'s delay, in seconds.
 const DELAY_STEP: f64 = 0.8e-6;
+
+/// What a position comparator looks at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Compared {
+    /// `gv_feedback%`.
+    Feedback,
+    /// `gv_master%`.
+    Master,
+    /// `cm_master%`.
+    CamMaster,
+}
 
 /// A range of positions in counts, both ends included.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

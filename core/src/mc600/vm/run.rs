@@ -129,6 +129,18 @@ impl Vm {
                     }
                 }};
             }
+            // The jump that follows is taken at once: time is spent at the end of a statement, not within.
+            macro_rules! when {
+                ($holds:expr) => {{
+                    if $holds {
+                        pc += 1;
+                    } else if let Some(jump) = usize::try_from(pc).ok().and_then(|pc| ops.get(pc))
+                        && jump.code == Code::Jump
+                    {
+                        pc = jump.target();
+                    }
+                }};
+            }
             match op.code {
                 Code::Add => arithmetic!(register!(r, op.a) + register!(r, op.b)),
                 Code::Subtract => arithmetic!(register!(r, op.a) - register!(r, op.b)),
@@ -157,16 +169,11 @@ impl Vm {
                 Code::Or => integers!(|a: i32, b: i32| a | b),
                 Code::Xor => integers!(|a: i32, b: i32| a ^ b),
                 Code::Jump => pc = op.target(),
-                Code::JumpIfZero => {
-                    if register!(r, op.a) == 0.0 {
-                        pc = op.target();
-                    }
-                }
-                Code::JumpIfNotZero => {
-                    if register!(r, op.a) != 0.0 {
-                        pc = op.target();
-                    }
-                }
+                Code::When => when!(register!(r, op.a) != 0.0),
+                Code::WhenEqual => when!(register!(r, op.a) == register!(r, op.b)),
+                Code::WhenNotEqual => when!(register!(r, op.a) != register!(r, op.b)),
+                Code::WhenLess => when!(register!(r, op.a) < register!(r, op.b)),
+                Code::WhenLessEqual => when!(register!(r, op.a) <= register!(r, op.b)),
                 Code::Next => {
                     (self.pc, *left) = (pc, credit);
                     pc = attempt!(self.next(op.a, pc));
@@ -194,6 +201,38 @@ impl Vm {
                         }
                     }
                 }
+                Code::LoadAt => {
+                    let at = register!(r, op.b);
+                    let array = self.arrays.get(usize::from(op.a));
+                    match array.and_then(|array| array.number_at(at)) {
+                        Some(value) => register!(r, op.c) = value,
+                        None => {
+                            (self.pc, *left) = (pc, credit);
+                            attempt!(self.load_at(*op));
+                        }
+                    }
+                }
+                Code::StoreAt => {
+                    let (at, value) = (register!(r, op.b), register!(r, op.c));
+                    let array = self.arrays.get_mut(usize::from(op.a));
+                    if array.is_none_or(|array| !array.set_number_at(at, value)) {
+                        (self.pc, *left) = (pc, credit);
+                        attempt!(self.store_at(*op));
+                    }
+                }
+                Code::Floor => register!(r, op.c) = register!(r, op.a).floor(),
+                Code::SquareRoot => match functions::square_root(register!(r, op.a)) {
+                    Ok(root) => register!(r, op.c) = root,
+                    Err(error) => {
+                        (self.pc, *left) = (pc, credit);
+                        return self.fail(error);
+                    }
+                },
+                Code::Function => {
+                    (self.pc, *left) = (pc, credit);
+                    let value = attempt!(self.function(*op, world));
+                    self.set_register(op.c, value);
+                }
                 Code::Load => {
                     let array = self.arrays.get(usize::from(op.a));
                     register!(r, op.c) = array
@@ -207,6 +246,26 @@ impl Vm {
                         (self.pc, *left) = (pc, credit);
                         return self.fail(error);
                     }
+                }
+                Code::StringMove
+                | Code::StringAppend
+                | Code::StringLoad
+                | Code::StringStore
+                | Code::StringEqual
+                | Code::StringNotEqual
+                | Code::StringLess
+                | Code::StringLessEqual
+                | Code::Chr
+                | Code::Str
+                | Code::Left
+                | Code::Right
+                | Code::MidRest
+                | Code::Mid
+                | Code::Len
+                | Code::Asc
+                | Code::Val => {
+                    (self.pc, *left) = (pc, credit);
+                    attempt!(self.text(*op));
                 }
                 Code::Nothing => {}
                 _ => {
@@ -269,10 +328,6 @@ impl Vm {
                 self.set_register(op.c, f64::from(value));
             }
             Code::CheckInteger => self.left_integers |= !is_integer(self.register(op.a)),
-            Code::Function => {
-                let value = self.function(op, world)?;
-                self.set_register(op.c, value);
-            }
             Code::GetSystem => {
                 let value = self
                     .image
@@ -300,7 +355,7 @@ impl Vm {
                 let index = self.index(op.a, &subscripts)?;
                 self.set_register(op.c, index);
             }
-            _ => return self.text_or_console(op, world),
+            _ => return self.console_operation(op, world),
         }
         Ok(Flow::Next)
     }
@@ -310,6 +365,23 @@ impl Vm {
         self.pc = self.pc.saturating_sub(1);
         self.give_up();
         Exit::Error(error, None)
+    }
+
+    /// What [`Code::LoadAt`] does when the quick way does not serve: the array is not dimensioned, or not like this.
+    #[cold]
+    fn load_at(&mut self, op: Op) -> Result<(), ErrorCode> {
+        let index = self.index(op.a, &[self.register(op.b)])?;
+        let value = self.array(op.a).and_then(|array| array.number(index));
+        self.set_register(op.c, value.unwrap_or_default());
+        Ok(())
+    }
+
+    /// What [`Code::StoreAt`] does then.
+    #[cold]
+    fn store_at(&mut self, op: Op) -> Result<(), ErrorCode> {
+        let index = self.index(op.a, &[self.register(op.b)])?;
+        let value = self.register(op.c);
+        self.array_mut(op.a)?.set_number(index, value)
     }
 
     fn index(&mut self, array: u16, subscripts: &[f64]) -> Result<f64, ErrorCode> {

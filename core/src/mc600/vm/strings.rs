@@ -2,13 +2,13 @@
 
 use super::super::code::{Code, Op, STRING_TEMPORARIES};
 use super::super::firmware::{ErrorCode, MEMORY};
-use super::super::value::{Text, append, in_range, is_integer, to_byte};
-use super::run::Flow;
-use super::{Vm, World};
+use super::super::value::{self, Text, append, in_range, is_integer, to_byte};
+use super::Vm;
 use crate::number;
 
 impl Vm {
-    pub(super) fn text_or_console(&mut self, op: Op, world: &mut World) -> Result<Flow, ErrorCode> {
+    /// An operation on strings alone.
+    pub(super) fn text(&mut self, op: Op) -> Result<(), ErrorCode> {
         match op.code {
             Code::StringMove => self.string_move(op),
             Code::StringAppend => self.string_append(op)?,
@@ -50,22 +50,25 @@ impl Vm {
                     number::leading(self.string(op.a)).map_or(0.0, |(constant, _)| constant.real());
                 self.set_register(op.c, in_range(value)?);
             }
-            _ => return self.console_operation(op, world),
+            _ => {}
         }
-        Ok(Flow::Next)
+        Ok(())
     }
 
     fn string_move(&mut self, op: Op) {
-        // A temporary is never read again.
-        let text = if op.a < STRING_TEMPORARIES {
-            self.strings
-                .get_mut(usize::from(op.a))
-                .map(std::mem::take)
-                .unwrap_or_default()
-        } else {
-            Text::from_slice(self.string(op.a))
+        let Ok([from, to]) = self
+            .strings
+            .get_disjoint_mut([usize::from(op.a), usize::from(op.c)])
+        else {
+            return; // to itself
         };
-        self.set_string(op.c, text);
+        if op.a < STRING_TEMPORARIES {
+            // A temporary is never read again.
+            std::mem::swap(from, to);
+        } else {
+            to.clear();
+            value::extend(to, from);
+        }
     }
 
     fn string_append(&mut self, op: Op) -> Result<(), ErrorCode> {
@@ -109,22 +112,31 @@ impl Vm {
     /// LEFT$, RIGHT$, MID$.
     fn part(&mut self, op: Op) -> Result<(), ErrorCode> {
         let first = usize::from(to_byte(self.register(op.b))?);
-        let text = self.string(op.a);
-        let part = match op.code {
-            Code::Left => text.get(..first.min(text.len())),
-            Code::Right => text.get(text.len().saturating_sub(first)..),
+        let length = match op.code {
+            Code::Mid => usize::from(to_byte(self.register(op.b.saturating_add(1)))?),
+            _ => usize::MAX,
+        };
+        let part = |text: &[u8]| match op.code {
+            Code::Left => 0..first.min(text.len()),
+            Code::Right => text.len().saturating_sub(first)..text.len(),
             _ => {
-                let length = match op.code {
-                    Code::Mid => usize::from(to_byte(self.register(op.b.saturating_add(1)))?),
-                    _ => usize::MAX,
-                };
                 // Positions count from 1; the manual allows 0, which is taken as 1 (D32).
                 let start = first.saturating_sub(1).min(text.len());
-                text.get(start..start.saturating_add(length).min(text.len()))
+                start..start.saturating_add(length).min(text.len())
             }
         };
-        let part = Text::from_slice(part.unwrap_or_default());
-        self.set_string(op.c, part);
+        let (from, to) = (usize::from(op.a), usize::from(op.c));
+        match self.strings.get_disjoint_mut([from, to]) {
+            Ok([from, to]) => {
+                to.clear();
+                value::extend(to, from.get(part(from)).unwrap_or_default());
+            }
+            Err(_) => {
+                let text = self.string(op.a);
+                let part = Text::from_slice(text.get(part(text)).unwrap_or_default());
+                self.set_string(op.c, part);
+            }
+        }
         Ok(())
     }
 

@@ -13,7 +13,6 @@ use super::ast::{
 };
 use super::code::{
     Code, HOST_CONSTANTS, Image, Op, PROGRAM_CONSTANTS, REGISTERS, Slow, System, TEMPORARY,
-    TextReport,
 };
 use super::motor::Flag;
 use super::parser::parse_line;
@@ -249,6 +248,11 @@ impl Compiler {
     fn assign(&mut self, target: Target, expr: &Expr) {
         match target {
             Target::Place(Place::Variable(register)) => {
+                if let Some(number) = counts(register, expr) {
+                    let (high, low) = halves(number);
+                    self.emit(Code::Count, high, low, register);
+                    return;
+                }
                 let before = self.ops.len();
                 let value = self.value(expr, Some(register));
                 // `a=a` is a statement, too.
@@ -359,21 +363,13 @@ impl Compiler {
     }
 
     fn report(&mut self, report: Report) {
-        let text = match report {
+        match report {
             Report::Value(operand) => {
                 let register = self.operand(operand, TEMPORARY);
                 self.slow(Slow::Report, register, 0);
-                return;
             }
-            Report::Word => TextReport::Word,
-            Report::Byte => TextReport::Byte,
-            Report::PositionAndWord => TextReport::PositionAndWord,
-            Report::Sample => TextReport::Sample,
-            Report::Checksum => TextReport::Checksum,
-            Report::Channel1 => TextReport::Channel1,
-            Report::Mode => TextReport::Mode,
-        };
-        self.slow(Slow::ReportText(text), 0, 0);
+            Report::Text(text) => self.slow(Slow::ReportText(text), 0, 0),
+        }
     }
 
     fn print(&mut self, channel: u8, items: &[Item]) {
@@ -391,6 +387,16 @@ impl Compiler {
             }
         }
         self.slow(Slow::PrintEnd(channel), 0, 0);
+    }
+}
+
+/// What an expression adds to the variable that it is assigned to, if it is a number and it does no more.
+fn counts(variable: u16, expr: &Expr) -> Option<i32> {
+    match expr.rest? {
+        _ if expr.left != Operand::Place(Place::Variable(variable)) => None,
+        (Operator::Add, Operand::Number(number)) => Some(number),
+        (Operator::Subtract, Operand::Number(number)) => number.checked_neg(),
+        _ => None,
     }
 }
 

@@ -1,7 +1,8 @@
 //! Commands that begin with a word.
 
 use super::super::ast::{
-    Channel, Item, LineCommand, Operand, Range, Report, Source, StatementKind, Target, variable,
+    Channel, Item, LineCommand, Operand, Range, Report, Source, StatementKind, Target, TextReport,
+    variable,
 };
 use super::super::lexer::{Token, TokenKind};
 use super::super::motor::{Command, Register};
@@ -365,18 +366,18 @@ impl Parser<'_> {
             return Ok(None);
         };
         let special = match what {
-            "W" => Some(Report::Word),
-            "S" => Some(Report::Byte),
-            "PW" => Some(Report::PositionAndWord),
-            "SP" => Some(Report::Sample),
-            "CKS" => Some(Report::Checksum),
-            "CS1" => Some(Report::Channel1),
-            "MODE" => Some(Report::Mode),
+            "W" => Some(TextReport::Word),
+            "S" => Some(TextReport::Byte),
+            "PW" => Some(TextReport::PositionAndWord),
+            "SP" => Some(TextReport::Sample),
+            "CKS" => Some(TextReport::Checksum),
+            "CS1" => Some(TextReport::Channel1),
+            "MODE" => Some(TextReport::Mode),
             _ => None,
         };
-        if special.is_some() {
+        if let Some(special) = special {
             self.note(word, span)?;
-            return Ok(special);
+            return Ok(Some(Report::Text(special)));
         }
         if let Some(array) = array(what.as_bytes()) {
             let row = format!("R{}", super::expressions::array_word(array));

@@ -192,6 +192,12 @@ fn hot(r: &mut Registers, calls: &mut Calls, ops: &[Op], at: &mut At) -> Stop {
                 register!(r, op.c) = difference;
                 signs |= (a ^ b) & (a ^ difference);
             }
+            Code::Count => {
+                let (count, number) = (register!(r, op.c), constant(op));
+                let sum = count.wrapping_add(number);
+                register!(r, op.c) = sum;
+                signs |= (count ^ sum) & (number ^ sum);
+            }
             Code::Multiply => arithmetic!(overflowing_mul),
             Code::Divide => match register!(r, op.b) {
                 0 => {

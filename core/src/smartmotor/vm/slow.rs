@@ -1,7 +1,7 @@
 //! Operations that are not worth a place in the hot loop: the motor, the serial line, waits, output.
 
-use super::super::ast::{Source, Target};
-use super::super::code::{Exit, Op, Slow, TextReport};
+use super::super::ast::{Source, Target, TextReport};
+use super::super::code::{Exit, Op, Slow};
 use super::super::line::Line;
 use super::super::memory::{Eeprom, Sequence, set_element};
 use super::super::motor::{Flag, Motor, Register};

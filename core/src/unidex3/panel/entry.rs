@@ -127,7 +127,7 @@ impl Unidex3 {
                 self.run
                     .set_register(register, value, &mut self.indexer, at);
             }
-            Target::Outputs => self.run.set_outputs(low, self.oem_in),
+            Target::Outputs => self.run.set_outputs(low, self.options.oem_in),
             Target::Flags => self.run.flags = low,
             Target::Message => {}
         }

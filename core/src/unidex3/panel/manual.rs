@@ -58,7 +58,8 @@ impl Unidex3 {
         }
     }
 
-    fn release_arrows(&mut self, at: Nanos) {
+    /// No arrow key is down any more.
+    pub(in crate::unidex3) fn release_arrows(&mut self, at: Nanos) {
         for (axis, _) in std::mem::take(&mut self.panel.held) {
             self.indexer.stop_axis(at, axis);
         }

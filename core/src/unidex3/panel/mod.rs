@@ -125,7 +125,8 @@ impl Unidex3 {
             return Err(Refused(format!("unidex3 has no key '{name}'")));
         };
         let word = keys::word(key, shifted || (self.panel.shift && !self.panel.message));
-        if !self.powered || (word.is_some() && word == self.options.without) {
+        let reached = self.powered && self.has_keyboard();
+        if !reached || (word.is_some() && word == self.options.without) {
             return Ok(());
         }
         match (key, down) {
@@ -147,7 +148,7 @@ impl Unidex3 {
         match self.link {
             // The controller has the unit, but a program that asks for a person is answered (4-10 E).
             Link::Remote if !waits_for_person || self.remote.is_requesting() => {
-                if key == Key::Remote && !self.executing {
+                if key == Key::Remote && !self.executing && !self.is_locked_out() {
                     self.remote_key(at);
                 }
                 return;

@@ -202,7 +202,7 @@ impl Unidex3 {
 
     fn print(&mut self, print: Print, number: u8) {
         let listing = match print {
-            Print::Program if number == 0 && self.oem_in => Some(self.list_memory()),
+            Print::Program if number == 0 && self.options.oem_in => Some(self.list_memory()),
             Print::Program if self.is_protected(number) => None,
             Print::Program => self.list_program(number),
             Print::Directory => Some(self.list_directory()),
@@ -221,7 +221,7 @@ impl Unidex3 {
 
     /// Programs 50 to 99 are not for users while the OEM jumper is out, nor is all of the memory (4-11 A).
     pub(in crate::unidex3) fn is_protected(&self, number: u8) -> bool {
-        !self.oem_in && (number == 0 || number >= OEM_PROGRAM)
+        !self.options.oem_in && (number == 0 || number >= OEM_PROGRAM)
     }
 
     /// WHAT?, and no mode.
@@ -253,7 +253,7 @@ impl Unidex3 {
                 if number == 0 || number > LAST_PROGRAM {
                     return self.what();
                 }
-                let start = self.memory.start_mut(self.oem_in);
+                let start = self.memory.start_mut(self.options.oem_in);
                 let boots = matches!(edit, Edit::Boot(_));
                 start.boot = boots.then_some(number);
                 start.set_up = (!boots).then_some(number);
@@ -261,7 +261,7 @@ impl Unidex3 {
             }
             Edit::NoBoot => {
                 self.memory.user = Default::default();
-                if self.oem_in {
+                if self.options.oem_in {
                     self.memory.oem = Default::default();
                 }
                 self.panel.mode = Mode::None;

@@ -1,6 +1,6 @@
 //! What each command of the controller does.
 
-use super::{Again, EndEntry};
+use super::{Again, EndEntry, Interface};
 use crate::time::Nanos;
 use crate::unidex3::firmware::text;
 use crate::unidex3::panel::Mode;
@@ -23,7 +23,11 @@ impl Unidex3 {
             return self.again(now);
         };
         let packed: Vec<u8> = rest.iter().copied().filter(|&byte| byte != b' ').collect();
-        if !self.knows(word(letter, &packed)) {
+        let of_line = matches!(
+            letter,
+            b'Q' | b'C' | b'L' | b'T' | b'J' | b'K' | b'U' | b'W' | b'Z'
+        );
+        if !self.knows(word(letter, &packed)) || (of_line && self.is_remote_by(Interface::Bus)) {
             return;
         }
         if letter != b'Q' {
@@ -58,12 +62,7 @@ impl Unidex3 {
                 self.remote.hold = false;
                 self.remote.held = None;
             }
-            b'T' => {
-                self.remote.hold = false;
-                if let Some(held) = self.remote.held.take() {
-                    self.start_now(now, held);
-                }
-            }
+            b'T' => self.trigger(now),
             b'J' => self.remote.parallel = false,
             b'K' => self.remote.parallel = true,
             b'L' => self.go_to_local(now),
@@ -112,6 +111,14 @@ impl Unidex3 {
         match self.remote.hold {
             true => self.remote.held = Some(what),
             false => self.start_now(now, what),
+        }
+    }
+
+    /// What was held starts.
+    pub(super) fn trigger(&mut self, now: Nanos) {
+        self.remote.hold = false;
+        if let Some(held) = self.remote.held.take() {
+            self.start_now(now, held);
         }
     }
 
@@ -196,7 +203,7 @@ impl Unidex3 {
     }
 
     /// L: local with remote enabled.
-    fn go_to_local(&mut self, now: Nanos) {
+    pub(super) fn go_to_local(&mut self, now: Nanos) {
         if self.link != Link::Remote {
             return;
         }

@@ -71,6 +71,15 @@ impl Unidex3 {
         })
     }
 
+    /// A line that has waited.
+    pub(super) fn edit_line(&mut self, line: &[u8]) {
+        for &byte in line.iter().chain(b"\r") {
+            self.edit_byte(byte);
+        }
+        // Its line end is over.
+        self.remote.ends_edit = false;
+    }
+
     pub(super) fn edit_byte(&mut self, byte: u8) {
         let knows_comments = self.knows(";");
         let Some(edit) = &mut self.remote.edit else {

@@ -1,7 +1,9 @@
 //! The remote interface: bytes become lines, lines become commands for the units that are addressed (4; Appendix 1).
 //!
-//! `commands` carries them out, `edit` takes the text of a program, `replies` sends what was asked for.
+//! `commands` carries them out, `edit` takes the text of a program, `replies` sends what was asked for. `bus` is the other
+//! way that bytes come.
 
+mod bus;
 mod commands;
 mod edit;
 mod replies;
@@ -10,6 +12,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use super::{Link, Unidex3};
+use crate::ieee488::{Device, LAST_ADDRESS};
 use crate::time::Nanos;
 pub(super) use commands::word;
 use edit::OpenEdit;
@@ -19,7 +22,9 @@ const DELETE: u8 = 0x7F;
 /// Characters of a command; the immediate mode's block is the longest.
 const LONGEST_LINE: usize = 300;
 /// Commands that wait for a poll.
-const MOST_WAITING: usize = 32;
+const MOST_WAITING: usize = 4096;
+/// Bytes of replies beyond which the next is not begun.
+const MOST_UNSENT: usize = 1 << 15;
 /// Bytes that the firmware takes in one sample: more than any line brings.
 const BYTES_A_SAMPLE: usize = 64;
 
@@ -40,9 +45,23 @@ enum EndEntry {
     Code,
 }
 
+/// Which interface the controller uses: one at a time (4-3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Interface {
+    /// RS-232C or RS-422A.
+    #[default]
+    Serial,
+    /// IEEE-488.
+    Bus,
+}
+
 /// The state of the interface.
 #[derive(Debug, Clone)]
 pub struct Remote {
+    /// The one that is active, or was last.
+    pub interface: Interface,
+    /// The connector to the IEEE-488 bus.
+    pub bus: Device,
     /// The line so far.
     line: Vec<u8>,
     /// The first of CR and LF that has ended a line: the other one belongs to it.
@@ -71,15 +90,19 @@ pub struct Remote {
     end_entry: EndEntry,
     /// Commands that wait for a poll, or for the end of what runs.
     waiting: VecDeque<Vec<u8>>,
+    /// The last reply was a listing.
+    lists: bool,
     /// What V has found, until it is polled.
     pub test_result: Option<u8>,
-    /// The RTS lines of the units behind in the chain, combined; `None` if there is none.
-    behind: Option<bool>,
+    /// The RTS lines of the units behind in the chain, combined; an open input is low.
+    behind: bool,
 }
 
 impl Default for Remote {
     fn default() -> Remote {
         Remote {
+            interface: Interface::default(),
+            bus: Device::default(),
             line: Vec::new(),
             ended_by: None,
             ends_edit: false,
@@ -97,16 +120,18 @@ impl Default for Remote {
             edit: None,
             end_entry: EndEntry::None,
             waiting: VecDeque::new(),
+            lists: false,
             test_result: None,
-            behind: None,
+            behind: false,
         }
     }
 }
 
 impl Remote {
-    /// As after power-up; the cable to the next unit stays.
+    /// As after power-up; the cables stay.
     pub fn switched_on(&self) -> Remote {
         Remote {
+            bus: self.bus.initialized(),
             behind: self.behind,
             ..Remote::default()
         }
@@ -137,6 +162,13 @@ impl Remote {
         }
     }
 
+    /// The request is answered by a poll.
+    pub fn answer_request(&mut self) {
+        self.requesting = false;
+        self.announce = false;
+        self.test_result = None;
+    }
+
     /// Whether a request waits for its poll.
     pub fn is_requesting(&self) -> bool {
         self.requesting
@@ -144,7 +176,10 @@ impl Remote {
 
     /// Whether commands are for this unit.
     pub fn is_addressed(&self) -> bool {
-        self.addressed
+        match self.interface {
+            Interface::Serial => self.addressed,
+            Interface::Bus => self.bus.listens(),
+        }
     }
 
     /// Whether a start is held, or will be.
@@ -167,25 +202,38 @@ impl Remote {
         self.waiting.len()
     }
 
-    /// The RTS line: this unit's, and those behind it (4-4 B).
-    pub fn rts(&self) -> bool {
-        let own = self.requesting && self.string.is_none();
-        match self.behind {
-            None => own,
-            Some(behind) if self.parallel => own || behind,
-            Some(behind) => own && behind,
+    /// The RTS line: this unit's, and those behind it unless it is the last device (4-4 B, D331).
+    pub fn rts(&self, last: bool) -> bool {
+        let by_line = self.interface == Interface::Serial && self.string.is_none();
+        let own = self.requesting && by_line;
+        match (last, self.parallel) {
+            (true, _) => own,
+            (false, true) => own || self.behind,
+            (false, false) => own && self.behind,
         }
     }
 
     /// The RTS line of the next unit in the chain.
     pub fn set_behind(&mut self, rts: bool) {
-        self.behind = Some(rts);
+        self.behind = rts;
     }
 }
 
 impl Unidex3 {
-    /// One sample of the interface.
+    /// One sample of the interfaces.
     pub(super) fn remote_sample(&mut self, now: Nanos) {
+        self.bus_sample(now);
+        self.line_sample(now);
+        self.waiting_commands(now);
+        if std::mem::take(&mut self.remote.announce)
+            && self.remote.interface == Interface::Serial
+            && let Some(string) = &self.remote.string
+        {
+            self.line.send(string);
+        }
+    }
+
+    fn line_sample(&mut self, now: Nanos) {
         for _ in 0..BYTES_A_SAMPLE {
             // DEL resets whatever the firmware is at.
             if self.busy.is_some() && !self.line.waiting().any(|byte| byte == DELETE) {
@@ -194,35 +242,29 @@ impl Unidex3 {
             let Some(byte) = self.line.take() else {
                 break;
             };
-            // In local the unit hears nothing but XON and XOFF (3-4 J, note).
-            if self.link != Link::Local {
-                self.remote_byte(now, byte);
+            // In local the unit hears nothing but XON and XOFF (3-4 J, note), nor while it has the bus.
+            if self.link == Link::Local || self.is_remote_by(Interface::Bus) {
+                continue;
             }
-        }
-        self.waiting_commands(now);
-        if std::mem::take(&mut self.remote.announce)
-            && let Some(string) = &self.remote.string
-        {
-            self.line.send(string);
+            if byte != DELETE {
+                self.remote_byte(now, byte);
+            } else if self.knows("<DEL>") {
+                self.reset(now, true);
+            }
         }
     }
 
     fn remote_byte(&mut self, now: Nanos, byte: u8) {
-        if byte == DELETE {
-            if self.knows("<DEL>") {
-                self.reset(now, true);
-            }
+        if self.busy.is_some() || byte == DELETE {
             return;
         }
-        if self.busy.is_some() {
-            return;
-        }
-        let addressed = self.remote.addressed && self.link == Link::Remote;
+        let addressed = self.has_controller();
         let in_line = !self.remote.line.is_empty();
         if addressed
             && !in_line
             && byte != ESCAPE
             && self.remote.edit.is_some()
+            && self.remote.waiting.is_empty()
             && !self.is_command(byte)
         {
             return self.edit_byte(byte);
@@ -262,9 +304,13 @@ impl Unidex3 {
             return;
         }
         if let Some((&ESCAPE, rest)) = line.split_first() {
-            return self.address(now, rest);
+            // On the bus addressing is the bus's own.
+            return match self.remote.interface {
+                Interface::Bus if self.link == Link::Remote => {}
+                _ => self.address(now, rest),
+            };
         }
-        if remote.addressed && self.link == Link::Remote {
+        if self.has_controller() {
             self.queue(now, line);
         }
     }
@@ -279,7 +325,10 @@ impl Unidex3 {
             }
             return;
         }
-        let number = |part: &&[u8]| std::str::from_utf8(part).ok()?.parse::<u8>().ok();
+        let number = |part: &&[u8]| {
+            let number = std::str::from_utf8(part).ok()?.parse::<u8>().ok()?;
+            (number <= LAST_ADDRESS).then_some(number)
+        };
         let mut addresses: Vec<u8> = parts.iter().filter_map(number).collect();
         addresses.sort_unstable();
         addresses.dedup();
@@ -295,14 +344,26 @@ impl Unidex3 {
             let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
             self.remote.addressed = true;
             self.remote.turn = (small(own), small(addresses.len()));
-            self.enter_remote(now);
+            self.enter_remote(now, Interface::Serial);
         }
     }
 
+    /// Whether the unit is in remote, and commands are for it.
+    fn has_controller(&self) -> bool {
+        self.link == Link::Remote
+            && (self.remote.addressed || self.remote.interface == Interface::Bus)
+    }
+
+    /// Whether the controller has the unit by this interface.
+    pub(super) fn is_remote_by(&self, interface: Interface) -> bool {
+        self.link == Link::Remote && self.remote.interface == interface
+    }
+
     /// The controller has the unit.
-    fn enter_remote(&mut self, now: Nanos) {
+    fn enter_remote(&mut self, now: Nanos, interface: Interface) {
         if self.link == Link::Enabled {
             self.leave_manual(now);
+            self.remote.interface = interface;
             self.link = Link::Remote;
             self.panel.mode = super::panel::Mode::None;
             self.say(super::firmware::text::REMOTE);
@@ -324,7 +385,8 @@ impl Unidex3 {
     fn must_wait(&self, line: &[u8]) -> bool {
         let first = line.iter().find(|&&byte| byte != b' ');
         let starts = matches!(first, Some(b'A' | b'S' | b'I' | b'E' | b'V' | b'R'));
-        self.remote.requesting || (self.executing && starts)
+        let prints = first == Some(&b'P') && self.line.unsent() > MOST_UNSENT;
+        self.remote.requesting || (self.executing && starts) || prints
     }
 
     fn waiting_commands(&mut self, now: Nanos) {
@@ -332,8 +394,13 @@ impl Unidex3 {
             && let Some(line) = self.remote.waiting.front()
             && !self.must_wait(line)
         {
-            if let Some(line) = self.remote.waiting.pop_front() {
-                self.command(now, &line);
+            let Some(line) = self.remote.waiting.pop_front() else {
+                return;
+            };
+            let commands = line.first().is_some_and(|&byte| self.is_command(byte));
+            match self.remote.edit.is_some() && !commands {
+                true => self.edit_line(&line),
+                false => self.command(now, &line),
             }
         }
     }

@@ -1,5 +1,6 @@
 //! What the controller is told (4-7; spec, "Remote interface").
 
+use super::Interface;
 use crate::time::Nanos;
 use crate::unidex3::Unidex3;
 use crate::unidex3::indexer::Axis;
@@ -22,6 +23,9 @@ enum Turn {
 impl Unidex3 {
     /// Whether it is this unit's turn: they answer from the lowest address to the highest, one each time (4-7 C).
     fn takes_turn(&mut self, turn: Turn) -> bool {
+        if self.remote.interface == Interface::Bus {
+            return true;
+        }
         let (own, units) = self.remote.turn;
         let Some(asked) = self.remote.asked.get_mut(turn as usize) else {
             return false;
@@ -31,9 +35,9 @@ impl Unidex3 {
         mine
     }
 
-    /// Status bytes, in hexadecimal digits after U.
+    /// Status bytes, on the line in hexadecimal digits after U.
     fn status_text(&self, bytes: &[u8]) -> Vec<u8> {
-        match self.remote.hexadecimal {
+        match self.remote.hexadecimal && self.remote.interface == Interface::Serial {
             true => bytes
                 .iter()
                 .flat_map(|byte| format!("{byte:02X}").into_bytes())
@@ -50,9 +54,21 @@ impl Unidex3 {
         let status = self.status_text(&[self.poll_byte()]);
         let end = [self.memory.end_of_file];
         self.line.send(&[&status, LINE_END, &end].concat());
-        self.remote.requesting = false;
-        self.remote.announce = false;
-        self.remote.test_result = None;
+        self.remote.answer_request();
+    }
+
+    /// Whether a listing that the controller has asked for is under way.
+    pub(in crate::unidex3) fn is_listing(&self) -> bool {
+        self.remote.lists && (self.line.unsent() > 0 || self.remote.bus.unsent() > 0)
+    }
+
+    /// Sends a reply; on the bus a listing ends with EOI (4-7).
+    fn reply(&mut self, bytes: &[u8], ends: bool) {
+        self.remote.lists = ends;
+        match self.remote.interface {
+            Interface::Serial => self.line.send(bytes),
+            Interface::Bus => self.remote.bus.reply(bytes, ends),
+        }
     }
 
     pub(super) fn print_command(&mut self, packed: &[u8]) {
@@ -103,7 +119,8 @@ impl Unidex3 {
                 }
             }
         };
-        self.line.send(&reply);
+        let lists = matches!(packed, [b'D'] | [b'0'..=b'9', ..]);
+        self.reply(&reply, lists);
     }
 
     fn refuse(&mut self, trouble: Trouble) {
