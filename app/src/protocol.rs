@@ -121,6 +121,7 @@ pub enum Speed {
 }
 
 /// From the worker to the page. The first is [`FromWorker::Ready`].
+#[allow(clippy::large_enum_variant)] // there is one at a time
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum FromWorker {
     /// The bench stands and takes messages.

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { siteTest } from "./harness.mjs";
-import { accessible, eventually, printed, printedEnd } from "./steps.mjs";
+import { accessible, eventually, printedEnd } from "./steps.mjs";
 
 /** Puts the Unidex on the bench. */
 async function unidex(page) {
@@ -82,7 +82,7 @@ siteTest("a newcomer enters a square by the keys that the panel names, and runs 
   for (const step of steps.slice(0, -1)) {
     await press(page, step);
   }
-  await leds(page).getByText("EDIT on").waitFor();
+  await leds(page).getByText("EDIT on").waitFor({ state: "attached" });
   await shot("panel-steps");
   await press(page, steps.at(-1));
   await shows(page, "RUNNING");
@@ -157,7 +157,8 @@ siteTest("two fingers hold two keys", async (page) => {
   await touch("touchStart", [right, up]);
   await runs(page, "X");
   await runs(page, "Y");
-  await touch("touchEnd", [up]);
+  // One finger less.
+  await touch("touchMove", [up]);
   await stands(page, "X");
   await runs(page, "Y");
   await touch("touchEnd", []);
@@ -173,13 +174,13 @@ siteTest("what is typed presses the keys that bear it", async (page) => {
   await shows(page, ">>");
   await page.keyboard.type('g7x100"Hello 1');
   await shows(page, "\"HELLO 1");
-  await leds(page).getByText("EDIT flashing").waitFor();
+  await leds(page).getByText("EDIT flashing").waitFor({ state: "attached" });
   await page.keyboard.press("Backspace");
   await shows(page, '0"HELLO');
   await page.keyboard.type('"');
-  await leds(page).getByText("EDIT on").waitFor();
+  await leds(page).getByText("EDIT on").waitFor({ state: "attached" });
   await page.keyboard.press("Insert");
-  await leds(page).getByText("SHIFT on").waitFor();
+  await leds(page).getByText("SHIFT on").waitFor({ state: "attached" });
   await page.keyboard.press("End");
   await shows(page, "EDITING!");
   // A screen reader presses without a finger.
@@ -223,8 +224,7 @@ siteTest("the terminal is the host and the printer, at the speed that the switch
   await page.getByRole("button", { name: "Set", exact: true }).click();
   await type("03");
   await page.keyboard.type("PX\n");
-  await printedEnd(page, "X 0000000000");
-  assert.match(await printed(page), /PX\s+X 0000000000$/);
+  await printedEnd(page, "PX\nX0000000000");
   // All of it comes back.
   await page.waitForTimeout(1500);
   await page.reload();
@@ -253,7 +253,7 @@ siteTest("a person talks to the bus", async (page, { shot }) => {
   await page.getByRole("button", { name: "Listen", exact: true }).click();
   await page.getByRole("button", { name: "Send", exact: true }).click();
   await page.getByRole("button", { name: "Talk", exact: true }).click();
-  await log.getByText("X 0000000100").waitFor();
+  await log.getByText("X0000000100").waitFor();
 });
 
 siteTest("the joystick moves the axes in a slew, and springs back", async (page, { shot }) => {

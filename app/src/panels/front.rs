@@ -12,7 +12,10 @@ mod rear;
 mod segments;
 
 use crate::state::Store;
+use crate::state::front;
 use crate::state::layout::Panel;
+use crate::state::recording::Recording;
+use crate::storage::files;
 
 /// What is shown of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,11 +77,47 @@ pub(super) fn Front(store: Store, face: &'static Face) -> impl IntoView {
                     <div class="tools" role="group" aria-label="Beside the panel">
                         {tool(Tray::Joystick, "Joystick")}
                         {tool(Tray::Steps, "First steps")}
+                        <Record store />
                     </div>
                 </Show>
             </header>
             {shown}
         </section>
+    }
+}
+
+/// Writes down what is pressed, for a file that presses it again.
+#[component]
+fn Record(store: Store) -> impl IntoView {
+    let kept = Memo::new(move |_| {
+        store
+            .recording
+            .with(|kept| kept.as_ref().map(Recording::len))
+    });
+    let turn = move |_| {
+        let now = store.device.with_untracked(|device| device.now);
+        let Some(recording) = store.recording.get_untracked() else {
+            return store.recording.set(Some(Recording::new(now)));
+        };
+        store.recording.set(None);
+        let kind = untrack(|| store.kind().id);
+        let options = store.settings.with_untracked(front::options);
+        let text = recording.scenario(kind, &options, now);
+        if files::save("keys.scenario", "text/plain", &text).is_err() {
+            store
+                .notice
+                .set(Some("The browser refuses to save a file."));
+        }
+    };
+    let label = move || match kept.get() {
+        Some(count) => format!("Save {count} keys"),
+        None => "Record keys".to_owned(),
+    };
+    view! {
+        <button type="button" class="tool figures" aria-pressed=move || kept.get().is_some().to_string()
+            title="Writes the keys that are pressed into a scenario, which the runner plays again" on:click=turn>
+            {label}
+        </button>
     }
 }
 

@@ -148,7 +148,7 @@ pub(super) fn Scope(store: Store) -> impl IntoView {
                     <gestures::Plots store over>
                         <Cursors store over />
                     </gestures::Plots>
-                    <Show when=move || !shown.get()><FirstSteps /></Show>
+                    <Show when=move || !shown.get()><FirstSteps store /></Show>
                 </div>
             </div>
             <gestures::Again store />
@@ -203,13 +203,17 @@ fn draw(store: Store, sheets: Sheets) {
 
 /// What is what, as long as nothing has moved.
 #[component]
-fn FirstSteps() -> impl IntoView {
+fn FirstSteps(store: Store) -> impl IntoView {
+    let has_face = move || store.kind().face.is_some();
     view! {
         <div class="first-steps">
             <p><strong>"Nothing has moved yet: press Run."</strong></p>
             <p>"Run gives the program to the controller, which is simulated in this page, and starts it. "
                 "The terminal is the controller's console: there you can type to it; Help says what. "
                 "What the axis does is drawn here."</p>
+            <Show when=has_face>
+                <p>"Or press the keys of the front panel: First steps, above it, says which."</p>
+            </Show>
         </div>
     }
 }

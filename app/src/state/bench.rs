@@ -145,6 +145,7 @@ impl Store {
         self.settings.set(settings);
         self.paper.set(Paper::default());
         self.bus.set(BusLog::default());
+        self.recording.set(None);
         self.cam.set(None);
         self.filed.set(None);
         self.asked.set(false);

@@ -12,6 +12,7 @@ pub mod keys;
 pub mod layout;
 mod program;
 pub mod project;
+pub mod recording;
 mod revive;
 pub mod scope;
 mod store;

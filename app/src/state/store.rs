@@ -11,6 +11,7 @@ use super::bus::BusLog;
 use super::editor::EditorState;
 use super::front::{Paper, Settings};
 use super::project::{Desk, Layout};
+use super::recording::Recording;
 use super::revive::Health;
 use super::scope::Scope;
 use super::terminal::Terminal;
@@ -77,6 +78,8 @@ pub struct Store {
     pub printer: RwSignal<bool>,
     /// What was asked of the IEEE-488 bus, and what came of it.
     pub bus: RwSignal<BusLog>,
+    /// The keys of the front panel, while they are written down.
+    pub recording: RwSignal<Option<Recording>>,
     /// Grows with each pulse of the outputs' strobe that was seen.
     pub strobes: RwSignal<u64>,
     /// Something that the user should know, until it is put away.
@@ -124,6 +127,7 @@ impl Store {
             paper: RwSignal::default(),
             printer: RwSignal::new(true),
             bus: RwSignal::default(),
+            recording: RwSignal::new(None),
             strobes: RwSignal::new(0),
             notice: RwSignal::new(None),
             wanted: StoredValue::new(None),
@@ -144,6 +148,13 @@ impl Store {
         }
         if matches!(message, ToWorker::Wire { .. } | ToWorker::EmergencyStop(_)) {
             self.wiring.update(|wiring| wiring.hear(&message));
+        }
+        if let ToWorker::Key { key, down } = &message
+            && self.recording.with_untracked(Option::is_some)
+        {
+            let now = self.device.with_untracked(|device| device.now);
+            self.recording
+                .update(|kept| kept.iter_mut().for_each(|kept| kept.hear(now, key, *down)));
         }
         self.client.with_value(|client| {
             if let Some(client) = client {

@@ -212,7 +212,13 @@ impl Engine {
         let sent = self.bench.send(self.line, bytes);
         if self.terminal.local_echo {
             self.receive();
-            self.shown.extend(bytes.iter().take(sent));
+            for &byte in bytes.iter().take(sent) {
+                self.shown.push(byte);
+                // A line that has been sent is left behind, whatever the answer to it begins with.
+                if byte == b'\r' && !self.terminal.line_feeds {
+                    self.shown.push(b'\n');
+                }
+            }
         }
     }
 

@@ -182,7 +182,8 @@ fn tap(hands: Hands, key: &str) {
     hands.release(&hand());
 }
 
-/// A key: its shifted meaning above, its own below, and in the corners what they type in a message.
+/// A key: its shifted meaning above, its own below, and in the corners what they type in a message. Only its own is
+/// text; the style sheet prints the others.
 #[component]
 pub(super) fn Key(hands: Hands, cap: &'static Keycap) -> impl IntoView {
     let down = Memo::new(move |_| hands.is_down(cap));
@@ -214,9 +215,9 @@ pub(super) fn Key(hands: Hands, cap: &'static Keycap) -> impl IntoView {
             on:pointerdown=press on:pointerup=release on:pointercancel=release on:lostpointercapture=release
             on:contextmenu=|event| event.prevent_default() on:click=click>
             {two.then(|| view! {
-                <span class="upper" aria-hidden="true">{shifted}<i>{cap.message.1}</i></span>
+                <span class="upper" data-legend=shifted data-message=cap.message.1></span>
             })}
-            <span class="lower" aria-hidden="true">{plain}<i>{cap.message.0}</i></span>
+            <span class="lower" data-message=cap.message.0>{plain}</span>
         </button>
     }
 }
@@ -296,7 +297,7 @@ mod tests {
         let info = kind("unidex3").unwrap().create(&[]).unwrap();
         let known = &info.controller().info().keys;
         for character in typed {
-            let name = meaning(&character.to_string()).unwrap();
+            let name = super::meaning(&character.to_string(), keys).unwrap();
             assert!(known.contains(&name.as_str()), "{name}");
         }
         for (_, name) in NAMED {
