@@ -44,11 +44,7 @@ impl Unidex3 {
             }
             b'R' => self.panel.mode = Mode::None,
             b'V' => self.begin_test(now, false, true),
-            b'B' => {
-                if self.executing && self.run.wait == Some(Wait::Halt) {
-                    self.resume();
-                }
-            }
+            b'B' => self.end_halt(),
             b'P' => self.print_command(&packed),
             b'W' => self.configure_request(rest),
             b'U' => self.remote.hexadecimal = true,
@@ -71,6 +67,14 @@ impl Unidex3 {
                 self.errors.note(Trouble::IllegalCharacter);
                 self.remote.request();
             }
+        }
+    }
+
+    /// B: on behind a G25. A person may have had the unit meanwhile (6-10).
+    fn end_halt(&mut self) {
+        if self.executing && self.run.wait == Some(Wait::Halt) {
+            self.remote_run = true;
+            self.resume();
         }
     }
 
