@@ -12,7 +12,7 @@ const MOST_STEPS: usize = 1 << 16;
 
 /// What a person asks of the controller of the bus. Where there are addresses, these units listen first; without, those
 /// that listen already.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Order {
     /// The REN line.
     RemoteEnable(bool),

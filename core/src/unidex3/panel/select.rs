@@ -337,6 +337,7 @@ impl Unidex3 {
     /// A search is over.
     pub(in crate::unidex3) fn looked(&mut self, found: Option<usize>) {
         self.panel.mode = Mode::Edit(Edit::Program);
+        self.panel.message = false;
         match found {
             Some(at) => {
                 self.panel.edited.cursor = at;
