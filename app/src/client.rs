@@ -22,12 +22,12 @@ struct Connection {
 }
 
 impl Client {
-    /// Starts a worker with a controller of some kind; `tell` is called with all that is heard from it. What goes wrong is
-    /// told too.
-    pub fn start(kind: &str, tell: impl Fn(News) + 'static) -> Client {
+    /// Starts a worker with the controller of a [`crate::protocol::bench_name`]; `tell` is called with all that is heard
+    /// from it. What goes wrong is told too.
+    pub fn start(name: &str, tell: impl Fn(News) + 'static) -> Client {
         let options = WorkerOptions::new();
         // The worker reads what it simulates from its own name: it is to be known before any message.
-        options.set_name(kind);
+        options.set_name(name);
         options.set_type(WorkerType::Module);
         let address = offline::own_address("worker_loader.js");
         let worker = Worker::new_with_options(&address, &options);

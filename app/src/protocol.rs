@@ -3,7 +3,9 @@
 //! A message is JSON text; the samples of a frame travel beside it as one array of numbers, whose buffer is handed
 //! over rather than copied. Console bytes are text in the devices' eight-bit characters.
 
-use motionbench_core::controller::{CamTable, Memory, Revision, Signal, Status, TerminalSettings};
+use motionbench_core::controller::{
+    CamTable, Memory, Panel, Revision, Signal, Status, TerminalSettings,
+};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use motionbench_core::trace::Trace;
@@ -56,6 +58,13 @@ pub enum ToWorker {
         name: String,
         /// 0 and 1, or the unit of the thing.
         value: f64,
+    },
+    /// A key of the front panel goes down or up.
+    Key {
+        /// By the controller's name for it.
+        key: String,
+        /// Down or up.
+        down: bool,
     },
     /// How the terminal's end of the line is set.
     Line(LineSettings),
@@ -164,12 +173,30 @@ pub struct Frame {
     pub status: Status,
     /// Simulated seconds a second, lately.
     pub reached: f64,
-    /// What the console received.
+    /// What its front panel shows, where it has one.
+    pub panel: Option<Panel>,
+    /// What the terminal shows: what the console received, and what was sent if that is shown too.
     pub console: String,
+    /// What the console received, where that is not all that the terminal shows.
+    pub received: Option<String>,
     /// Characters that wait to be sent to the controller.
     pub pending: usize,
     /// Simulated time stands still.
     pub frozen: bool,
+}
+
+/// What a worker is told by its name: the kind of controller, and its options as in a scenario.
+pub fn bench_name(kind: &str, options: &[String]) -> String {
+    let words = std::iter::once(kind).chain(options.iter().map(String::as_str));
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// What [`bench_name`] was given; an option that is not one is passed over.
+pub fn read_bench_name(name: &str) -> (&str, Vec<(String, String)>) {
+    let (kind, options) = name.split_once(' ').unwrap_or((name, ""));
+    let options = options.split(' ').filter_map(|word| word.split_once('='));
+    let options = options.map(|(key, value)| (key.to_owned(), value.to_owned()));
+    (kind, options.collect())
 }
 
 /// The rows of a trace, column by column: first the times in nanoseconds (exact for 104 days), then each signal.

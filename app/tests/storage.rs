@@ -30,6 +30,7 @@ fn project(text: &str) -> Project {
             speed: Speed::Max,
             layout: Layout::default(),
             terminal: None,
+            settings: Default::default(),
             others: Vec::new(),
         },
         device: Device {

@@ -38,14 +38,6 @@ impl Station {
     }
 }
 
-/// Which controller it is.
-#[derive(Debug, Clone, Copy)]
-enum Model {
-    Mc600,
-    SmartMotor,
-    Unidex3,
-}
-
 /// A kind of controller.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
@@ -55,7 +47,6 @@ pub struct Kind {
     pub name: &'static str,
     /// What can be given when it is put on the bench.
     pub options: &'static [Opt],
-    model: Model,
     /// Its console's line without options.
     pub line: LineSettings,
     /// What is wrong with a program, told from its text alone.
@@ -96,7 +87,6 @@ pub const KINDS: &[Kind] = &[
         id: "mc600",
         name: "Danaher MC-600",
         options: mc600::OPTIONS,
-        model: Model::Mc600,
         line: LineSettings::new(9600),
         diagnose: mc600::diagnose::diagnose,
         highlight: mc600::diagnose::highlight,
@@ -127,7 +117,6 @@ pub const KINDS: &[Kind] = &[
         id: "smartmotor",
         name: "Animatics SmartMotor",
         options: smartmotor::OPTIONS,
-        model: Model::SmartMotor,
         line: smartmotor::LINE,
         diagnose: smartmotor::diagnose::diagnose,
         highlight: smartmotor::diagnose::highlight,
@@ -159,7 +148,6 @@ pub const KINDS: &[Kind] = &[
         id: "unidex3",
         name: "Aerotech Unidex IIIa",
         options: unidex3::OPTIONS,
-        model: Model::Unidex3,
         line: unidex3::LINE,
         diagnose: unidex3::diagnose::diagnose,
         highlight: unidex3::diagnose::highlight,
@@ -190,17 +178,27 @@ pub const KINDS: &[Kind] = &[
 ];
 
 impl Kind {
-    /// Makes one, switched off. Not a field of the row: whoever only reads the catalogue then carries no simulator.
+    /// Makes one, switched off.
     ///
     /// # Errors
     /// One clear line about an option that does not exist or a value that it cannot have.
     pub fn create(&self, options: &[(String, String)]) -> Result<Station, String> {
-        Ok(match self.model {
-            Model::Mc600 => Station::Mc600(Box::new(Mc600::new(options)?)),
-            Model::SmartMotor => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
-            Model::Unidex3 => Station::Unidex3(Box::new(Unidex3::new(options)?)),
-        })
+        create(self.id, options)
     }
+}
+
+/// Makes a controller of the kind called `id`, switched off. No part of [`KINDS`]: who only reads that carries no
+/// simulator, and who only simulates carries no language tools and no help.
+///
+/// # Errors
+/// One clear line about a kind or an option that does not exist, or a value that an option cannot have.
+pub fn create(id: &str, options: &[(String, String)]) -> Result<Station, String> {
+    Ok(match id {
+        "mc600" => Station::Mc600(Box::new(Mc600::new(options)?)),
+        "smartmotor" => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
+        "unidex3" => Station::Unidex3(Box::new(Unidex3::new(options)?)),
+        _ => return Err(format!("there is no controller {id}")),
+    })
 }
 
 /// The kind called `id`.

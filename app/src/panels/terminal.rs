@@ -273,7 +273,6 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
             <input class="field" type="text" autocomplete="off" autocapitalize=capitals
                 spellcheck="false" enterkeyhint="send" aria-label="A line for the controller"
                 {..custom_attribute("autocorrect", "off")} placeholder=example bind:value=line />
-            <button type="button" class="button" on:click=move |_| store.send(ToWorker::Stop)>"Stop"</button>
             <button type="submit" class="button">"Send"</button>
         </form>
     }

@@ -118,7 +118,9 @@ impl Panel {
             now: Nanos::from_millis(1500),
             status,
             reached: 1.0,
+            panel: None,
             console: String::new(),
+            received: None,
             pending: 0,
             frozen: false,
         };

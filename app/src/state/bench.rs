@@ -6,9 +6,11 @@ use motionbench_core::controller::{Memory, TerminalSettings};
 use motionbench_core::serial::LineSettings;
 
 use super::editor::EditorState;
+use super::front::{Paper, Settings};
 use super::project::{self, Desk};
 use super::revive::Health;
 use super::scope::Scope;
+use super::store::Wanted;
 use super::terminal::Terminal;
 use super::wiring::Wiring;
 use super::{Device, Store};
@@ -23,16 +25,30 @@ impl Store {
     /// Puts a controller of another kind on the bench, as soon as the present one has said what it holds.
     pub fn choose(&self, kind: &'static Kind) {
         if kind.id != untrack(|| self.kind().id) {
-            self.chosen_kind.set_value(Some(kind));
+            self.wanted.set_value(Some(Wanted::Kind(kind)));
             self.send(ToWorker::Keep);
         }
     }
 
+    /// Sets the switches and jumpers of the present controller: it is switched off and on for that.
+    pub fn set_switches(&self, settings: Settings) {
+        self.wanted.set_value(Some(Wanted::Settings(settings)));
+        self.send(ToWorker::Keep);
+    }
+
     /// A frame has come: what was asked for before it has been answered.
     pub(super) fn change_over(&self) {
-        let Some(kind) = self.chosen_kind.try_update_value(Option::take).flatten() else {
-            return;
-        };
+        match self.wanted.try_update_value(Option::take).flatten() {
+            Some(Wanted::Kind(kind)) => self.change_kind(kind),
+            Some(Wanted::Settings(settings)) => {
+                self.settings.set(settings);
+                self.start_again();
+            }
+            None => {}
+        }
+    }
+
+    fn change_kind(&self, kind: &'static Kind) {
         let mut others = self.others.get_untracked();
         let place = others
             .iter()
@@ -58,6 +74,7 @@ impl Store {
             breakpoints,
             line: line.unwrap_or(LineSettings::new(9600)),
             terminal: self.terminal_settings.get_untracked(),
+            settings: self.settings.get_untracked(),
             device: self.held(),
         }
     }
@@ -79,21 +96,24 @@ impl Store {
             return;
         };
         if kind.id != untrack(|| self.kind().id) {
-            self.clear_bench(kind);
+            self.clear_bench(kind, desk.settings);
+        } else if self
+            .settings
+            .with_untracked(|settings| *settings != desk.settings)
+        {
+            self.settings.set(desk.settings);
+            self.start_worker();
         }
         self.editor
             .update(|editor| editor.open(&desk.text, desk.breakpoints));
         self.kept.set(Some(desk.device.memory));
-        // What the mains switch clears comes back behind it.
-        if !desk.device.power {
-            self.send(ToWorker::Power(false));
-        }
-        self.equip_worker(Some(desk.line), desk.terminal);
+        self.equip_worker(desk.device.power, Some(desk.line), desk.terminal);
     }
 
-    /// Gives a worker all that the one before it had been given, but for its power.
+    /// Gives a new worker all that is known of its controller.
     pub(super) fn equip_worker(
         self,
+        on: bool,
         line: Option<LineSettings>,
         terminal: Option<TerminalSettings>,
     ) {
@@ -104,13 +124,17 @@ impl Store {
             self.set_line(line);
         }
         self.set_terminal(terminal);
+        // What the mains switch clears comes back behind it.
+        if !on {
+            self.send(ToWorker::Power(false));
+        }
         if let Some(memory) = self.kept.get_untracked() {
             self.send(ToWorker::Restore(memory));
         }
     }
 
     /// Takes everything off the bench that belongs to the present controller, and starts a simulator of another.
-    fn clear_bench(self, kind: &'static Kind) {
+    fn clear_bench(self, kind: &'static Kind, settings: Settings) {
         let speed = self.device.with_untracked(|device| device.speed);
         self.editor.update(|editor| editor.change_kind(kind));
         self.device.set(Device {
@@ -118,6 +142,8 @@ impl Store {
             ..Device::default()
         });
         self.wiring.set(Wiring::new(kind));
+        self.settings.set(settings);
+        self.paper.set(Paper::default());
         self.cam.set(None);
         self.filed.set(None);
         self.asked.set(false);
@@ -137,6 +163,7 @@ fn new_desk(kind: &Kind) -> Desk {
         breakpoints: Default::default(),
         line: kind.line,
         terminal: None,
+        settings: Settings::new(),
         device: project::Device {
             controller: kind.id.to_owned(),
             power: true,

@@ -224,7 +224,9 @@ mod tests {
             now: Nanos::from_millis(5),
             status,
             reached: 1.0,
+            panel: None,
             console: String::new(),
+            received: None,
             pending: 0,
             frozen: false,
         };

@@ -46,6 +46,7 @@ impl Store {
             breakpoints: work.breakpoints,
             line: work.line,
             terminal: work.terminal,
+            settings: work.settings,
             device,
         });
     }
@@ -56,6 +57,7 @@ impl Store {
             breakpoints,
             line,
             terminal,
+            settings,
             ..
         } = self.desk();
         Work {
@@ -64,6 +66,7 @@ impl Store {
             breakpoints,
             line,
             terminal,
+            settings,
             speed: self.device.with_untracked(|device| device.speed),
             layout: self.layout.get_untracked(),
             others: self.others.get_untracked(),
@@ -85,6 +88,7 @@ impl Store {
             self.project_name.track();
             self.others.track();
             self.terminal_settings.track();
+            self.settings.track();
             if before.is_some() {
                 keeper.work_changed();
             }

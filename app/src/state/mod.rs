@@ -5,6 +5,7 @@ mod bench;
 mod console;
 pub mod device;
 pub mod editor;
+pub mod front;
 mod keeping;
 pub mod keys;
 pub mod layout;

@@ -14,11 +14,14 @@ use motionbench_core::serial::LineSettings;
 use serde::de::{Deserializer, IgnoredAny};
 use serde::{Deserialize, Serialize, Serializer};
 
+use super::front::{self, Settings};
 use crate::protocol::Speed;
 
-/// The newest version that is written, where it is needed: for several controllers, or a terminal that was set. It grows when an older
-/// page could not read what a newer one writes.
-pub const VERSION: u32 = 2;
+/// The newest version that is written, where it is needed: for switches and jumpers that were set. It grows when an
+/// older page could not read what a newer one writes.
+pub const VERSION: u32 = 3;
+/// What is written for several controllers, or a terminal that was set.
+const SECOND_VERSION: u32 = 2;
 /// What is written otherwise.
 const FIRST_VERSION: u32 = 1;
 /// What a project may have as a file, in bytes: every disk full of what takes most room, and a long program.
@@ -61,6 +64,9 @@ pub struct Work {
     /// What the terminal does besides, if not what suits the controller best.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub terminal: Option<TerminalSettings>,
+    /// How the controller's switches and jumpers stand that do not stand as they came.
+    #[serde(default, skip_serializing_if = "Settings::is_empty")]
+    pub settings: Settings,
     /// The work with other controllers, which are not on the bench now.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<Desk>,
@@ -80,6 +86,9 @@ pub struct Desk {
     /// As [`Work::terminal`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub terminal: Option<TerminalSettings>,
+    /// As [`Work::settings`].
+    #[serde(default, skip_serializing_if = "Settings::is_empty")]
+    pub settings: Settings,
     /// What it holds.
     pub device: Device,
 }
@@ -241,6 +250,18 @@ impl Project {
             let start: String = unknown.chars().take(20).collect();
             return Err(format!("there is no controller {start}"));
         }
+        let settings = work.others.iter().map(|desk| &desk.settings);
+        let set = others()
+            .chain([device])
+            .zip(settings.chain([&work.settings]));
+        for (device, settings) in set {
+            if !kind(&device.controller).is_some_and(|kind| front::can_be_set(kind, settings)) {
+                return Err(format!(
+                    "a {} cannot be set like its switches",
+                    device.controller
+                ));
+            }
+        }
         if BTreeSet::from_iter(&controllers).len() < controllers.len() {
             return Err("it has a controller twice".to_owned());
         }
@@ -288,10 +309,16 @@ fn can_be_set(line: &LineSettings) -> bool {
 impl Work {
     /// The version of the format that has all of it.
     fn version(&self) -> u32 {
-        if self.others.is_empty() && self.terminal.is_none() {
+        let desks = || self.others.iter().map(|desk| &desk.settings);
+        if desks()
+            .chain([&self.settings])
+            .any(|settings| !settings.is_empty())
+        {
+            VERSION
+        } else if self.others.is_empty() && self.terminal.is_none() {
             FIRST_VERSION
         } else {
-            VERSION
+            SECOND_VERSION
         }
     }
 }

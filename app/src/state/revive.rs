@@ -3,9 +3,11 @@
 use leptos::prelude::*;
 
 use super::editor::EditorState;
+use super::front;
 use super::{Fault, Store};
 use crate::client::Client;
 use crate::clock;
+use crate::protocol::bench_name;
 
 /// Looks for a sign of life this often, ms. A worker that stands idle sends ten frames a second.
 const LOOK_MS: u32 = 1000;
@@ -78,20 +80,29 @@ impl Store {
                 .update(|device| device.fault = Some(Fault::Died));
             return;
         }
-        self.start_worker();
-        self.editor.update(EditorState::forget_controller);
-        self.start_on_new_line();
-        let line = self.device.with_untracked(|device| device.line);
-        self.equip_worker(line, self.terminal_settings.get_untracked());
+        self.start_again();
         self.notice.set(Some(
             "The simulator has failed and was started again. Programs and files are back; what ran has stopped.",
         ));
     }
 
+    /// Starts another worker, with all that the last one is known to have held.
+    pub(super) fn start_again(self) {
+        let on = self
+            .device
+            .with_untracked(|device| device.status.as_ref().is_none_or(|status| status.power));
+        self.start_worker();
+        self.editor.update(EditorState::forget_controller);
+        self.start_on_new_line();
+        let line = self.device.with_untracked(|device| device.line);
+        self.equip_worker(on, line, self.terminal_settings.get_untracked());
+    }
+
     /// Starts a worker; the one before it, if any, ends.
     pub(super) fn start_worker(self) {
-        let kind = untrack(|| self.kind().id);
-        let client = Client::start(kind, move |news| self.hear(&news));
+        let options = self.settings.with_untracked(front::options);
+        let name = bench_name(untrack(|| self.kind().id), &options);
+        let client = Client::start(&name, move |news| self.hear(&news));
         let before = self.client.try_update_value(|held| held.replace(client));
         if let Some(Some(before)) = before {
             before.end();

@@ -8,6 +8,7 @@ use motionbench_core::controller::{CamTable, Memory, RunState, TerminalSettings}
 use motionbench_core::exec::Wait;
 
 use super::editor::EditorState;
+use super::front::{Paper, Settings};
 use super::project::{Desk, Layout};
 use super::revive::Health;
 use super::scope::Scope;
@@ -15,7 +16,16 @@ use super::terminal::Terminal;
 use super::wiring::Wiring;
 use super::{Console, Device, Fault, News};
 use crate::client::Client;
-use crate::protocol::{ToWorker, Unloadable};
+use crate::protocol::{Frame, ToWorker, Unloadable};
+
+/// What the user wants on the bench instead of what is there.
+#[derive(Debug, Clone)]
+pub(super) enum Wanted {
+    /// A controller of another kind.
+    Kind(&'static Kind),
+    /// The same with other switches and jumpers.
+    Settings(Settings),
+}
 
 /// All that the page knows. A handle: copies are of the same state.
 #[derive(Clone, Copy)]
@@ -56,11 +66,19 @@ pub struct Store {
     pub others: RwSignal<Vec<Desk>>,
     /// What the terminal does besides what the line does, if not what suits the controller best.
     pub terminal_settings: RwSignal<Option<TerminalSettings>>,
+    /// How the switches and jumpers of the controller stand.
+    pub settings: RwSignal<Settings>,
+    /// What its printer has on the paper.
+    pub paper: RwSignal<Paper>,
+    /// The printer listens to the line.
+    pub printer: RwSignal<bool>,
+    /// Grows with each pulse of the outputs' strobe that was seen.
+    pub strobes: RwSignal<u64>,
     /// Something that the user should know, until it is put away.
     pub notice: RwSignal<Option<&'static str>>,
     pub(super) terminal: StoredValue<Terminal, LocalStorage>,
-    /// What the user wants on the bench instead of what is there.
-    pub(super) chosen_kind: StoredValue<Option<&'static Kind>>,
+    /// As soon as the present controller has said what it holds.
+    pub(super) wanted: StoredValue<Option<Wanted>>,
     scope: StoredValue<Scope, LocalStorage>,
     pub(super) client: StoredValue<Option<Client>, LocalStorage>,
     pub(super) health: StoredValue<Health>,
@@ -96,8 +114,12 @@ impl Store {
             project_name: RwSignal::new("My project".to_owned()),
             others: RwSignal::default(),
             terminal_settings: RwSignal::default(),
+            settings: RwSignal::default(),
+            paper: RwSignal::default(),
+            printer: RwSignal::new(true),
+            strobes: RwSignal::new(0),
             notice: RwSignal::new(None),
-            chosen_kind: StoredValue::new(None),
+            wanted: StoredValue::new(None),
             health: StoredValue::new(Health::default()),
             terminal: StoredValue::new_local(Terminal::default()),
             scope: StoredValue::new_local(Scope::default()),
@@ -158,6 +180,31 @@ impl Store {
         self.recorded.update(|count| *count += 1);
     }
 
+    /// What leaves a controller that has a face: its strobe, and what a printer puts on paper.
+    fn hear_outputs(&self, frame: &Frame, samples: &[f64]) {
+        let kind = untrack(|| self.kind());
+        let strobed = kind.lamps.strobe.is_some_and(|strobe| {
+            let column = |scope: &Scope| {
+                let signals = scope.signals();
+                let place = signals.iter().position(|signal| signal.name == strobe);
+                place.map(|place| (place + 1, signals.len() + 1))
+            };
+            let column = self.with_scope(column);
+            column.is_some_and(|(column, columns)| {
+                let rows = samples.len() / columns;
+                let column = samples.get(column * rows..(column + 1) * rows);
+                column.is_some_and(|levels| levels.iter().any(|level| *level != 0.0))
+            })
+        });
+        if strobed {
+            self.strobes.update(|count| *count += 1);
+        }
+        let text = frame.received.as_ref().unwrap_or(&frame.console);
+        if kind.face.is_some() && !text.is_empty() && self.printer.get_untracked() {
+            self.paper.update(|paper| paper.print(text));
+        }
+    }
+
     /// What the simulator tells.
     pub(crate) fn hear(&self, news: &News) {
         let was_on = self.device.with_untracked(Device::is_on);
@@ -188,6 +235,7 @@ impl Store {
                 if changed == Some(true) {
                     self.recorded.update(|count| *count += 1);
                 }
+                self.hear_outputs(frame, samples);
                 self.hear_of_program(frame);
                 self.hear_console(frame);
             }

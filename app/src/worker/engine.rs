@@ -3,15 +3,15 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog;
 use motionbench_core::controller::{
-    Control, ControllerInfo, Debug, DebugReply, Input, Memory, RunState, Slot, Status, Survives,
-    TerminalSettings,
+    Control, Controller, ControllerInfo, Debug, DebugReply, Input, Memory, Panel, RunState, Slot,
+    Status, Survives, TerminalSettings,
 };
 use motionbench_core::language::latin1;
-use motionbench_core::probe::{ConsoleByte, Probe};
+use motionbench_core::probe::Probe;
 use motionbench_core::time::Nanos;
 
 use super::sender::{Line, Sender};
-use crate::protocol::{self, BUILD, FromWorker, Ready, ToWorker, Unloadable};
+use crate::protocol::{self, BUILD, FromWorker, Ready, ToWorker, Unloadable, read_bench_name};
 
 /// Rows and console bytes that wait for the page; when there are more, simulation waits too. So much in a frame is
 /// taken in by the page within a few milliseconds; 8 KiB of text are hundreds of times the line's own speed.
@@ -23,6 +23,9 @@ const MOST_BYTES: usize = 1 << 13;
 pub struct Engine {
     bench: Bench,
     probe: Probe,
+    /// What the console has received, and what the terminal shows.
+    received: Vec<u8>,
+    shown: Vec<u8>,
     info: ControllerInfo,
     station: usize,
     line: usize,
@@ -43,8 +46,12 @@ pub struct Report {
     pub now: Nanos,
     /// What the controller does.
     pub status: Status,
-    /// What the console received.
+    /// What its front panel shows.
+    pub panel: Option<Panel>,
+    /// What the terminal shows.
     pub console: String,
+    /// What the console received, where that is not the same.
+    pub received: Option<String>,
     /// Characters that wait to be sent to the controller.
     pub pending: usize,
     /// The samples, as [`protocol::pack`] makes them.
@@ -54,16 +61,16 @@ pub struct Report {
 }
 
 impl Engine {
-    /// A controller of the kind called `kind`, switched on.
+    /// The controller of a [`protocol::bench_name`], switched on.
     ///
     /// # Errors
-    /// One clear line, if there is no such kind.
-    pub fn new(kind: &str) -> Result<Engine, String> {
-        let kind = catalog::kind(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
-        let station = kind.create(&[])?;
+    /// One clear line, if there is no such kind or it has no such option.
+    pub fn new(name: &str) -> Result<Engine, String> {
+        let (kind, options) = read_bench_name(name);
+        let station = catalog::create(kind, &options)?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
-        let station = bench.add(kind.id, station, None);
+        let station = bench.add(info.id, station, None);
         let line = bench
             .line_of(station)
             .ok_or("the controller has no console")?;
@@ -71,11 +78,13 @@ impl Engine {
         Ok(Engine {
             bench,
             probe: Probe::recording(),
+            received: Vec::new(),
+            shown: Vec::new(),
             info,
             station,
             line,
             sender: Sender::default(),
-            terminal: kind.terminal,
+            terminal: TerminalSettings::default(), // the page says how it is
             frozen: false,
             may_be_held: false,
             kept: Memory::default(),
@@ -144,6 +153,10 @@ impl Engine {
                 name: name.clone(),
                 value: *value,
             }),
+            ToWorker::Key { key, down } => self.outside(Input::Key {
+                key: key.clone(),
+                down: *down,
+            }),
             ToWorker::Line(settings) => self.bench.set_line(self.line, *settings),
             ToWorker::Terminal(settings) => self.terminal = *settings,
             ToWorker::Break => self.bench.send_break(self.line),
@@ -187,11 +200,17 @@ impl Engine {
     fn send(&mut self, bytes: &[u8]) {
         let sent = self.bench.send(self.line, bytes);
         if self.terminal.local_echo {
-            let (line, at) = (self.line, self.now());
-            let echo = bytes.iter().take(sent);
-            let echo = echo.map(|&byte| ConsoleByte { line, at, byte });
-            self.probe.console.extend(echo);
+            self.receive();
+            self.shown.extend(bytes.iter().take(sent));
         }
+    }
+
+    /// Takes what the console has received since the last time.
+    fn receive(&mut self) {
+        let from = self.received.len();
+        let arrived = self.probe.console.drain(..).map(|console| console.byte);
+        self.received.extend(arrived);
+        self.shown.extend_from_slice(&self.received[from..]);
     }
 
     /// Forgets what has not been sent.
@@ -289,19 +308,21 @@ impl Engine {
     /// Whether so much waits to be reported that simulation must wait.
     pub fn is_full(&self) -> bool {
         let rows = self.probe.traces.first().map_or(0, |trace| trace.len());
-        rows >= MOST_ROWS || self.probe.console.len() >= MOST_BYTES
+        rows >= MOST_ROWS || self.probe.console.len() + self.shown.len() >= MOST_BYTES
     }
 
     /// Whether there is something to report beyond time that passes and an axis that stands still.
     pub fn is_busy(&self) -> bool {
         let status = self.status();
         let idle = self.frozen || matches!(status.run, RunState::Idle);
-        !idle || status.moving || !self.probe.console.is_empty()
+        !idle || status.moving || !self.probe.console.is_empty() || !self.shown.is_empty()
     }
 
     /// What happened since the last report.
     pub fn report(&mut self) -> Report {
-        let console: Vec<u8> = self.probe.console.drain(..).map(|c| c.byte).collect();
+        self.receive();
+        let shown = std::mem::take(&mut self.shown);
+        let received = std::mem::take(&mut self.received);
         let trace = self.probe.traces.get_mut(self.station);
         let samples = trace.map_or_else(Vec::new, |trace| {
             let samples = protocol::pack(trace);
@@ -311,7 +332,10 @@ impl Engine {
         Report {
             now: self.now(),
             status: self.status(),
-            console: self.shown(&console),
+            panel: self.station().panel(),
+            received: (received != shown || self.terminal.line_feeds)
+                .then(|| latin1::text(&received)),
+            console: self.as_shown(&shown),
             pending: self.bench.host_pending(self.line) + self.sender.len(),
             samples,
             frozen: self.frozen,
@@ -319,7 +343,7 @@ impl Engine {
     }
 
     /// What the terminal shows of these bytes.
-    fn shown(&self, bytes: &[u8]) -> String {
+    fn as_shown(&self, bytes: &[u8]) -> String {
         let text = latin1::text(bytes);
         if self.terminal.line_feeds {
             text.replace('\r', "\r\n")
@@ -329,11 +353,13 @@ impl Engine {
     }
 
     fn status(&self) -> Status {
-        // The station was put on the bench when the engine was made, and nothing takes it off.
-        self.bench
-            .station(self.station)
-            .map(|station| station.status())
-            .expect("the bench has its station")
+        self.station().status()
+    }
+
+    fn station(&self) -> &dyn Controller {
+        // It was put on the bench when the engine was made, and nothing takes it off.
+        let station = self.bench.station(self.station);
+        station.expect("the bench has its station")
     }
 }
 

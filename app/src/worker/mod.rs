@@ -175,7 +175,9 @@ impl Host {
             now: report.now,
             status: report.status,
             reached: self.pacing.reached(wall, report.now),
+            panel: report.panel,
             console: report.console,
+            received: report.received,
             pending: report.pending,
             frozen: report.frozen,
         };

@@ -21,6 +21,7 @@ fn project() -> Project {
                 shown: Some("terminal".to_owned()),
             },
             terminal: None,
+            settings: Default::default(),
             others: Vec::new(),
         },
         device: Device {
@@ -118,6 +119,7 @@ fn work_with_several_controllers_needs_version_2() {
         breakpoints: BTreeSet::new(),
         line: LineSettings::new(1200),
         terminal: None,
+        settings: Default::default(),
         device: project.device.clone(),
     });
     let file = project.file();
