@@ -120,6 +120,7 @@ impl Unidex3 {
 
     /// What was held starts.
     pub(super) fn trigger(&mut self, now: Nanos) {
+        self.end_edit();
         self.remote.hold = false;
         if let Some(held) = self.remote.held.take() {
             self.start_now(now, held);
@@ -211,8 +212,10 @@ impl Unidex3 {
         if self.link != Link::Remote {
             return;
         }
+        self.end_edit();
         self.leave_manual(now);
         self.remote.addressed = false;
+        self.remote.line.clear();
         self.remote.waiting.clear();
         self.link = Link::Enabled;
         self.panel.mode = Mode::None;
