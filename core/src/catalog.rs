@@ -38,40 +38,6 @@ impl Station {
     }
 }
 
-/// Which controller it is. Apart from [`Kind`], so that whoever only reads the catalogue carries no simulator, and whoever
-/// only simulates none of what is said of a program's text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Model {
-    Mc600,
-    SmartMotor,
-    Unidex3,
-}
-
-impl Model {
-    /// The one called `id`, as in [`Kind::id`].
-    pub fn find(id: &str) -> Option<Model> {
-        match id {
-            "mc600" => Some(Model::Mc600),
-            "smartmotor" => Some(Model::SmartMotor),
-            "unidex3" => Some(Model::Unidex3),
-            _ => None,
-        }
-    }
-
-    /// Makes one, switched off.
-    ///
-    /// # Errors
-    /// One clear line about an option that does not exist or a value that it cannot have.
-    pub fn create(self, options: &[(String, String)]) -> Result<Station, String> {
-        Ok(match self {
-            Model::Mc600 => Station::Mc600(Box::new(Mc600::new(options)?)),
-            Model::SmartMotor => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
-            Model::Unidex3 => Station::Unidex3(Box::new(Unidex3::new(options)?)),
-        })
-    }
-}
-
 /// A kind of controller.
 #[derive(Debug, Clone, Copy)]
 pub struct Kind {
@@ -81,8 +47,6 @@ pub struct Kind {
     pub name: &'static str,
     /// What can be given when it is put on the bench.
     pub options: &'static [Opt],
-    /// What makes one.
-    pub model: Model,
     /// Its console's line without options.
     pub line: LineSettings,
     /// What is wrong with a program, told from its text alone.
@@ -123,7 +87,6 @@ pub const KINDS: &[Kind] = &[
         id: "mc600",
         name: "Danaher MC-600",
         options: mc600::OPTIONS,
-        model: Model::Mc600,
         line: LineSettings::new(9600),
         diagnose: mc600::diagnose::diagnose,
         highlight: mc600::diagnose::highlight,
@@ -154,7 +117,6 @@ pub const KINDS: &[Kind] = &[
         id: "smartmotor",
         name: "Animatics SmartMotor",
         options: smartmotor::OPTIONS,
-        model: Model::SmartMotor,
         line: smartmotor::LINE,
         diagnose: smartmotor::diagnose::diagnose,
         highlight: smartmotor::diagnose::highlight,
@@ -186,7 +148,6 @@ pub const KINDS: &[Kind] = &[
         id: "unidex3",
         name: "Aerotech Unidex IIIa",
         options: unidex3::OPTIONS,
-        model: Model::Unidex3,
         line: unidex3::LINE,
         diagnose: unidex3::diagnose::diagnose,
         highlight: unidex3::diagnose::highlight,
@@ -217,29 +178,30 @@ pub const KINDS: &[Kind] = &[
 ];
 
 impl Kind {
-    /// Makes one, switched off: [`Model::create`].
+    /// Makes one, switched off.
     ///
     /// # Errors
     /// One clear line about an option that does not exist or a value that it cannot have.
     pub fn create(&self, options: &[(String, String)]) -> Result<Station, String> {
-        self.model.create(options)
+        create(self.id, options)
     }
+}
+
+/// Makes a controller of the kind called `id`, switched off. No part of [`KINDS`]: who only reads that carries no
+/// simulator, and who only simulates carries no language tools and no help.
+///
+/// # Errors
+/// One clear line about a kind or an option that does not exist, or a value that an option cannot have.
+pub fn create(id: &str, options: &[(String, String)]) -> Result<Station, String> {
+    Ok(match id {
+        "mc600" => Station::Mc600(Box::new(Mc600::new(options)?)),
+        "smartmotor" => Station::SmartMotor(Box::new(SmartMotor::new(options)?)),
+        "unidex3" => Station::Unidex3(Box::new(Unidex3::new(options)?)),
+        _ => return Err(format!("there is no controller {id}")),
+    })
 }
 
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.id == id)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_model_is_found_by_the_name_of_its_kind() {
-        for kind in KINDS {
-            assert_eq!(Model::find(kind.id), Some(kind.model));
-        }
-        assert_eq!(Model::find("other"), None);
-    }
 }

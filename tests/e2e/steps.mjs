@@ -8,12 +8,21 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 
 /** Waits until `check` gives true. Playwright's own waitForFunction evaluates text, which the page's policy forbids. */
 export async function eventually(what, check) {
+  const look = async () => {
+    try {
+      return await check();
+    } catch (error) {
+      // The page that was looked at is being left.
+      assert.match(error.message, /because of a navigation/, error);
+      return error.message;
+    }
+  };
   const end = Date.now() + 20_000;
-  let seen = await check();
+  let seen = await look();
   while (seen !== true) {
     assert.ok(Date.now() < end, `${what}; there was ${JSON.stringify(seen)}`);
     await new Promise((resolve) => setTimeout(resolve, 50));
-    seen = await check();
+    seen = await look();
   }
 }
 

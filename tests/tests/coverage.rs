@@ -121,3 +121,27 @@ fn only_a_word_that_is_used_is_missed() {
         ["1 scenarios use DATA, and none notices that it is missing"]
     );
 }
+
+/// What a Unidex's display says, with one number of each kind.
+const MESSAGES: [&str; 60] = [
+    "SYS RDY", "ROM ERR", "SRAM ERR", "URAM ALT", "URAM CLR", "URAM ERR", "PWR FAIL", "EDITING!",
+    "RUN   19", "REMOTE", "READY", "RUNNING", "PGM END", "WHAT?", "LOOKING", "CLEARED", "PRINTING",
+    "TESTING", "MEM= 4K", "MEM=28K", "MODIFIED", "MOD. EOF", "ENTER >>", "C-ERR 10", "STK OVFL",
+    "ILL.CHAR", "-F-ERROR", "-X-LIMIT", "-Y-LIMIT", "G25=", "G25=126", "SLEW=57", "ENTR MSG",
+    "ENTER X", "ENTER Y", "ENTER X1", "ENTER X2", "ENTER X3", "ENTER X4", "ENTER Y1", "ENTER Y2",
+    "ENTER Y3", "ENTER Y4", "ENTER M", "ENTER F", "ERROR 17", "-N-ERROR", "-G-ERROR", "-M-ERROR",
+    "-D-ERROR", "EOB ERR", "NO PGM", "BUF FULL", "PGM <1>", "CLR ?<1>", "NOBOOT", "FREE MEM",
+    "TST URAM", "PRNT DIR", "PRNT MES",
+];
+
+#[test]
+fn every_message_of_the_panel_is_provoked_by_a_scenario() {
+    let names = conformance::scenarios().filter(|name| name.starts_with("unidex3/"));
+    let texts: Vec<String> = names.map(conformance::text).collect();
+    let is_shown = |message: &&str| {
+        let line = format!("display \"{message}\"");
+        texts.iter().any(|text| text.contains(&line))
+    };
+    let missing: Vec<&str> = MESSAGES.into_iter().filter(|m| !is_shown(m)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

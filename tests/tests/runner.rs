@@ -206,6 +206,65 @@ fn what_the_controller_does_not_have() {
 }
 
 #[test]
+fn what_the_bus_does_not_bring() {
+    let start = "bench unidex3 as unit address=2\npower on\nrun 1s\nbus ieee488 ren on\n";
+    for (statements, line, message) in [
+        ("bus ieee488 spoll 3 = 0", 5, "no unit has that address"),
+        (
+            "bus ieee488 spoll 2 = 0x40",
+            5,
+            "expected 0x40, the poll gave 0x00",
+        ),
+        ("bus ieee488 srq = 1", 5, "no unit requests service"),
+        (
+            "bus ieee488 srq within 1s",
+            5,
+            "no unit requests service within 1 s: all is idle",
+        ),
+        (
+            "bus ieee488 expect \"A\"",
+            5,
+            "expected \"A\" on the bus, there was \"\"",
+        ),
+        (
+            "bus ieee488 send \"A\"\nbus ieee488 spoll 2 = 0 within 1s",
+            6,
+            "no poll within 1 s: no one listens on the bus",
+        ),
+        (
+            "press AUT\nbus ieee488 listen 2\nbus ieee488 send \"A\"\nbus ieee488 ppoll within 1s",
+            8,
+            "no poll within 1 s: unit holds off the bus",
+        ),
+        (
+            "bus ieee488 listen 2\nbus ieee488 send \"PX\\r\\n\"\nbus ieee488 talk 2\nrun until idle\n\
+             bus ieee488 expect \"X0000000000\\r\\n\" end",
+            9,
+            "the last byte came without EOI",
+        ),
+    ] {
+        let report = run_whole(&format!("{start}{statements}"));
+        let found = (report.outcome, report.line, report.message.as_str());
+        assert_eq!(found, (Outcome::Failed, line, message), "{statements}");
+    }
+}
+
+/// What has come by the bus is taken back with the time.
+#[test]
+fn a_rewind_takes_the_bus_back() {
+    let report = run_whole(
+        "bench unidex3 address=2\npower on\nrun 1s\nbus ieee488 ren on\nbus ieee488 listen 2\n\
+         bus ieee488 send \"PX\\r\\n\"\nrun 0.1s\nbus ieee488 talk 2\nrun 0.1s\nrewind 0.1s\n\
+         bus ieee488 expect nothing\nbus ieee488 talk 2\nrun 0.1s\n\
+         bus ieee488 expect \"X0000000000\\r\\n\"",
+    );
+    assert_eq!(
+        (report.outcome, report.message.as_str()),
+        (Outcome::Held, "")
+    );
+}
+
+#[test]
 fn programs_and_files() {
     holds("load \"two.bas\"\nexpect nothing\ntype RUN\nreply \" 1 \\r\\n 2 \"");
     holds("program\n10 PRINT 5\nend\ntype RUN\nreply \" 5 \"");

@@ -148,6 +148,22 @@ fn texts_that_are_no_scenario() {
             "at 1s check settled x.position within 1s of 5",
             "`settled` takes time and cannot be scheduled",
         ),
+        ("bus ieee488", "what to do on the bus is missing"),
+        (
+            "bus ieee488 shout 2",
+            "`shout` is none of ren ifc listen send talk get sdc dcl gtl llo spoll ppoll srq expect",
+        ),
+        ("bus ieee488 ren 1", "expected `on` or `off`, found `1`"),
+        ("bus ieee488 listen 31", "`31` is not an address of 0 to 30"),
+        ("bus ieee488 talk", "the address is missing"),
+        ("bus ieee488 sdc", "the address is missing"),
+        ("bus ieee488 spoll 2 = 256", "`256` is not a byte"),
+        ("bus ieee488 srq = 2", "`2` is not a level: 0 or 1"),
+        ("bus ieee488 llo 2", "`2` is one word too many"),
+        (
+            "at 1s bus ieee488 spoll 2",
+            "`bus` takes time and cannot be scheduled",
+        ),
         ("at 1s repeat 5", "`repeat` cannot be scheduled"),
         ("at 1s mc600: power on", "write `mc600:` before `at`"),
     ] {

@@ -289,7 +289,6 @@ pub(super) fn Compose(store: Store) -> impl IntoView {
             <Show when=move || needs_escape.get()>
                 <button type="button" class="button" on:click=move |_| store.type_text(ESCAPE.to_string())>"Esc"</button>
             </Show>
-            <button type="button" class="button" on:click=move |_| store.send(ToWorker::Stop)>"Stop"</button>
             <button type="submit" class="button">"Send"</button>
         </form>
     }

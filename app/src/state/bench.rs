@@ -108,16 +108,13 @@ impl Store {
         self.editor
             .update(|editor| editor.open(&desk.text, desk.breakpoints));
         self.kept.set(Some(desk.device.memory));
-        // What the mains switch clears comes back behind it.
-        if !desk.device.power {
-            self.send(ToWorker::Power(false));
-        }
-        self.equip_worker(Some(desk.line), desk.terminal);
+        self.equip_worker(desk.device.power, Some(desk.line), desk.terminal);
     }
 
-    /// Gives a worker all that the one before it had been given, but for its power.
+    /// Gives a new worker all that is known of its controller.
     pub(super) fn equip_worker(
         self,
+        on: bool,
         line: Option<LineSettings>,
         terminal: Option<TerminalSettings>,
     ) {
@@ -128,6 +125,10 @@ impl Store {
             self.set_line(line);
         }
         self.set_terminal(terminal);
+        // What the mains switch clears comes back behind it.
+        if !on {
+            self.send(ToWorker::Power(false));
+        }
         if let Some(memory) = self.kept.get_untracked() {
             self.send(ToWorker::Restore(memory));
         }

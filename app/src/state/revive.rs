@@ -94,11 +94,8 @@ impl Store {
         self.start_worker();
         self.editor.update(EditorState::forget_controller);
         self.start_on_new_line();
-        if !on {
-            self.send(ToWorker::Power(false));
-        }
         let line = self.device.with_untracked(|device| device.line);
-        self.equip_worker(line, self.terminal_settings.get_untracked());
+        self.equip_worker(on, line, self.terminal_settings.get_untracked());
     }
 
     /// Starts a worker; the one before it, if any, ends.

@@ -1,7 +1,7 @@
 //! The bench with one controller on it, driven by the page's messages. It knows neither browser nor wall clock.
 
 use motionbench_core::bench::{Bench, BusView};
-use motionbench_core::catalog::Model;
+use motionbench_core::catalog;
 use motionbench_core::controller::{
     Control, Controller, ControllerInfo, Debug, DebugReply, Input, Memory, Panel, RunState, Slot,
     Status, Survives, TerminalSettings,
@@ -72,8 +72,7 @@ impl Engine {
     /// One clear line, if there is no such kind or it has no such option.
     pub fn new(name: &str) -> Result<Engine, String> {
         let (kind, options) = read_bench_name(name);
-        let model = Model::find(kind).ok_or_else(|| format!("there is no controller {kind}"))?;
-        let station = model.create(&options)?;
+        let station = catalog::create(kind, &options)?;
         let info = station.controller().info().clone();
         let mut bench = Bench::new();
         let station = bench.add(info.id, station, None);
@@ -90,10 +89,7 @@ impl Engine {
             station,
             line,
             sender: Sender::default(),
-            terminal: TerminalSettings {
-                local_echo: false,
-                line_feeds: false,
-            },
+            terminal: TerminalSettings::default(), // the page says how it is
             frozen: false,
             may_be_held: false,
             kept: Memory::default(),

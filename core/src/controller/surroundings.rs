@@ -34,7 +34,7 @@ pub struct TextRules {
 }
 
 /// What a terminal does besides what the line does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
 pub struct TerminalSettings {
     /// Shows what is sent, for a controller that does not echo it.
     pub local_echo: bool,

@@ -170,3 +170,115 @@ impl Device {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A device at address 5 that was sent these commands, with REN.
+    fn told(commands: &[u8]) -> Device {
+        let mut device = Device::default();
+        device.accept(5, Message::RemoteEnable(true));
+        for &byte in commands {
+            device.accept(5, Message::Command(byte));
+        }
+        device
+    }
+
+    fn lines(device: &Device) -> Lines {
+        device.lines(0x41, true, true, 8)
+    }
+
+    #[test]
+    fn listener_and_talker_by_their_own_addresses() {
+        for (commands, listens, talks) in [
+            (&[command::LISTEN + 4][..], false, false),
+            (&[command::LISTEN + 5], true, false),
+            (&[command::LISTEN + 5, command::LISTEN + 4], true, false),
+            (&[command::LISTEN + 5, command::UNLISTEN], false, false),
+            (&[command::LISTEN + 5, command::TALK + 5], false, true),
+            (&[command::TALK + 5, command::LISTEN + 5], true, false),
+            (&[command::TALK + 5, command::TALK + 6], false, false),
+            (&[command::TALK + 5, command::UNTALK], false, false),
+            // Bit 7 of a command says nothing.
+            (&[command::LISTEN + 5 + 0x80], true, false),
+        ] {
+            let device = told(commands);
+            assert_eq!(
+                (device.listens(), device.talks()),
+                (listens, talks),
+                "{commands:?}"
+            );
+        }
+        let mut device = told(&[command::TALK + 5]);
+        device.accept(5, Message::InterfaceClear);
+        assert!(!device.listens() && !device.talks());
+    }
+
+    #[test]
+    fn a_talker_offers_its_reply_or_while_polled_its_status() {
+        let mut device = told(&[]);
+        device.reply(b"AB", true);
+        assert_eq!(lines(&device).data, None);
+        device.accept(5, Message::Command(command::TALK + 5));
+        assert_eq!(lines(&device).data, Some((b'A', false)));
+        device.accept(5, Message::Command(command::POLL_ENABLE));
+        assert_eq!(lines(&device).data, Some((0x41, false)));
+        assert!(device.accept(5, Message::Accepted));
+        device.accept(5, Message::Command(command::POLL_DISABLE));
+        assert!(!device.accept(5, Message::Accepted));
+        assert_eq!(lines(&device).data, Some((b'B', true)));
+        assert!(!device.accept(5, Message::Accepted));
+        assert_eq!(lines(&device).data, None);
+    }
+
+    #[test]
+    fn what_is_heard_keeps_its_order_and_a_clear_forgets_it() {
+        let data = |byte| Message::Data { byte, end: false };
+        let mut device = told(&[command::LISTEN + 5]);
+        device.accept(5, data(b'T'));
+        device.accept(5, Message::Command(command::TRIGGER));
+        assert_eq!(device.take(), Some(Heard::Addressed));
+        assert_eq!(device.take_command(), None);
+        assert_eq!(device.take(), Some(Heard::Data(b'T', false)));
+        assert_eq!(device.take(), Some(Heard::Trigger));
+        device.accept(5, data(b'X'));
+        device.accept(5, Message::Command(command::DEVICE_CLEAR));
+        assert_eq!(device.take(), Some(Heard::Clear));
+        assert_eq!(device.take(), None);
+    }
+
+    #[test]
+    fn a_listener_holds_off_when_it_is_full_or_does_not_take() {
+        let mut device = told(&[command::LISTEN + 5]);
+        assert!(!lines(&device).holds_off);
+        assert!(device.lines(0, false, false, 1).holds_off);
+        let data = Message::Data {
+            byte: 0,
+            end: false,
+        };
+        for _ in 0..MOST_WAITING {
+            assert!(!device.accept(5, data));
+        }
+        assert!(lines(&device).holds_off);
+    }
+
+    #[test]
+    fn a_parallel_poll_is_answered_on_its_own_line_by_who_requests() {
+        let device = told(&[]);
+        assert_eq!(device.lines(0, true, true, 8).parallel, 0x80);
+        assert_eq!(device.lines(0, true, true, 1).parallel, 0x01);
+        assert_eq!(device.lines(0, false, true, 1).parallel, 0);
+    }
+
+    #[test]
+    fn the_lockout_lasts_until_ren_is_off() {
+        let mut device = told(&[command::LOCAL_LOCKOUT]);
+        assert!(device.is_locked_out());
+        device.accept(5, Message::RemoteEnable(false));
+        assert!(!device.is_locked_out());
+        assert_eq!(device.take(), Some(Heard::Local));
+        device.accept(5, Message::Command(command::LOCAL_LOCKOUT));
+        assert!(!device.is_locked_out());
+    }
+}

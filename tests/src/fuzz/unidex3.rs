@@ -3,6 +3,7 @@
 use motionbench_core::bench::Bench;
 use motionbench_core::catalog::{self, Kind};
 use motionbench_core::controller::{Control, Controller, Debug, Input, Slot, Survives};
+use motionbench_core::ieee488::Order;
 use motionbench_core::language::latin1;
 use motionbench_core::probe::Probe;
 use motionbench_core::scenario::program_text;
@@ -19,6 +20,58 @@ const FUNCTIONS: [&str; 32] = [
     "SCH", "SHIFT", "UP", "DOWN", "LEFT", "RIGHT", "CLRX", "CLRY", "SHIFT", "EDT", "AUT", "SGL",
     "IMD", "RMT", "EXC", "STP", "SLW", "CE",
 ];
+
+/// Wires that do not stand at 0 on a new bench.
+const WIRES: [(&str, f64); 25] = [
+    ("ADDRESS", 1.0),
+    ("PPR", 1.0),
+    ("LAST", 1.0),
+    ("BAUD", 9600.0),
+    ("BITS", 8.0),
+    ("STOP", 1.0),
+    ("OEM", 1.0),
+    ("CONFIG", 1.0),
+    ("JP5", 1.0),
+    ("JP7", 1.0),
+    ("JP20", 1.0),
+    ("JP21", 1.0),
+    ("JP22", 1.0),
+    ("JP23", 1.0),
+    ("JP37", 1.0),
+    ("JP46", 1.0),
+    ("JP47", 1.0),
+    ("KEYBOARD", 1.0),
+    ("C1", 1.0),
+    ("C2", 1.0),
+    ("C3", 1.0),
+    ("C4", 1.0),
+    ("clock", 1.0),
+    ("feedholdx", 1.0),
+    ("feedholdy", 1.0),
+];
+
+/// What the controller of the bus may be asked.
+fn orders() -> [Order; 16] {
+    let send = |text: &str| Order::Send(text.as_bytes().to_vec(), true);
+    [
+        Order::RemoteEnable(true),
+        Order::Listen(vec![1]),
+        send("I X1000 F5000 Y-1000 F5000\r\n"),
+        Order::SerialPoll(1),
+        send("P00\r\n"),
+        Order::Talk(1),
+        Order::ParallelPoll,
+        send("E 01\r\nX10*\"A;B\"G25*;C\r\n%\r\nA 01H\r\n"),
+        Order::Trigger(vec![1]),
+        Order::InterfaceClear,
+        Order::Clear(Vec::new()),
+        Order::Clear(vec![1, 2]),
+        Order::GoToLocal(vec![1]),
+        Order::LocalLockout,
+        Order::RemoteEnable(false),
+        Order::Listen(Vec::new()),
+    ]
+}
 
 fn kind() -> &'static Kind {
     catalog::kind("unidex3").expect("the catalogue has it")
@@ -85,6 +138,8 @@ pub fn unidex3_keys(data: &[u8]) {
 struct Unit {
     bench: Bench,
     probe: Probe,
+    /// Of what has happened outside: more can happen than a byte can say.
+    past: usize,
 }
 
 impl Unit {
@@ -100,6 +155,7 @@ impl Unit {
         Unit {
             bench,
             probe: Probe::default(),
+            past: 0,
         }
     }
 
@@ -133,12 +189,14 @@ impl Unit {
 
     fn outside(&mut self, what: u8) {
         let index = usize::from(what % 16);
+        self.past = (self.past % 64) * 16 + index;
+        let past = self.past;
         match what / 16 {
             0 => self.run(u64::from(what) * 10 + 1),
             1 => {
                 let wires = self.station().info().wires.clone();
-                let name = wires[index % wires.len()].clone();
-                let value = f64::from(what & 1);
+                let name = wires[past % wires.len()].clone();
+                let value = [0.0, 1.0, 2.0, 4.0, 9600.0, -100.0, 5000.0][past % 7];
                 let _ = self.bench.input(0, Input::Wire { name, value });
             }
             2 => self.fault(index, true),
@@ -167,7 +225,8 @@ impl Unit {
                 }
                 self.station().debug(Debug::Control(Control::Continue));
             }
-            _ => self.run(1000),
+            _ if index == 0 => self.run(1000),
+            _ => self.bench.order(&orders()[index]).expect("it has a bus"),
         }
     }
 
@@ -184,12 +243,18 @@ impl Unit {
             ..LineSettings::new(9600)
         };
         self.bench.set_line(0, settings);
-        for name in ["OEM", "C1", "C2", "C3", "C4", "feedholdx", "feedholdy"] {
-            let (name, value) = (name.to_owned(), 1.0);
-            self.bench
-                .input(0, Input::Wire { name, value })
-                .expect("a wire");
+        for name in self.station().info().wires.clone() {
+            let known = WIRES.iter().find(|(wire, _)| *wire == name);
+            let value = known.map_or(0.0, |&(_, value)| value);
+            // One of them is the selector of a panel that this unit does not share.
+            let _ = self.bench.input(0, Input::Wire { name, value });
         }
+        self.bench
+            .order(&Order::InterfaceClear)
+            .expect("it has a bus");
+        self.bench
+            .order(&Order::RemoteEnable(false))
+            .expect("it has a bus");
         self.run(100);
         // No boot-strap program starts behind a reset.
         self.bench.power(0, true);

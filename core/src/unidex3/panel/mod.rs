@@ -202,6 +202,7 @@ impl Unidex3 {
 
     /// RMT: back to "local with remote enabled" (2-3 A).
     pub(super) fn remote_key(&mut self, at: Nanos) {
+        self.end_edit();
         self.leave_manual(at);
         if !self.leave_edit() {
             return;

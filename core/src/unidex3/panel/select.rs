@@ -249,16 +249,8 @@ impl Unidex3 {
                 self.say(text::LOOKING);
             }
             Edit::Clear(number) => self.clear(number.unwrap_or(1)),
-            Edit::Boot(number) | Edit::SetUp(number) => {
-                if number == 0 || number > LAST_PROGRAM {
-                    return self.what();
-                }
-                let start = self.memory.start_mut(self.options.oem_in);
-                let boots = matches!(edit, Edit::Boot(_));
-                start.boot = boots.then_some(number);
-                start.set_up = (!boots).then_some(number);
-                self.panel.mode = Mode::None;
-            }
+            Edit::Boot(number) => self.select_start(number, true),
+            Edit::SetUp(number) => self.select_start(number, false),
             Edit::NoBoot => {
                 self.memory.user = Default::default();
                 if self.options.oem_in {
@@ -294,6 +286,17 @@ impl Unidex3 {
                 self.say(text::MODIFIED);
             }
         }
+    }
+
+    /// BOOT nn, SETUP nn: one takes the other's place (2-6 G).
+    fn select_start(&mut self, number: u8, boots: bool) {
+        if number == 0 || number > LAST_PROGRAM {
+            return self.what();
+        }
+        let start = self.memory.start_mut(self.options.oem_in);
+        start.boot = boots.then_some(number);
+        start.set_up = (!boots).then_some(number);
+        self.panel.mode = Mode::None;
     }
 
     /// CLR nn; 00 is all of the memory, which also makes it valid (2-6 E).
@@ -334,6 +337,7 @@ impl Unidex3 {
     /// A search is over.
     pub(in crate::unidex3) fn looked(&mut self, found: Option<usize>) {
         self.panel.mode = Mode::Edit(Edit::Program);
+        self.panel.message = false;
         match found {
             Some(at) => {
                 self.panel.edited.cursor = at;

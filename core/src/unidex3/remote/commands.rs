@@ -44,11 +44,7 @@ impl Unidex3 {
             }
             b'R' => self.panel.mode = Mode::None,
             b'V' => self.begin_test(now, false, true),
-            b'B' => {
-                if self.executing && self.run.wait == Some(Wait::Halt) {
-                    self.resume();
-                }
-            }
+            b'B' => self.end_halt(),
             b'P' => self.print_command(&packed),
             b'W' => self.configure_request(rest),
             b'U' => self.remote.hexadecimal = true,
@@ -71,6 +67,14 @@ impl Unidex3 {
                 self.errors.note(Trouble::IllegalCharacter);
                 self.remote.request();
             }
+        }
+    }
+
+    /// B: on behind a G25. A person may have had the unit meanwhile (6-10).
+    fn end_halt(&mut self) {
+        if self.executing && self.run.wait == Some(Wait::Halt) {
+            self.remote_run = true;
+            self.resume();
         }
     }
 
@@ -116,6 +120,7 @@ impl Unidex3 {
 
     /// What was held starts.
     pub(super) fn trigger(&mut self, now: Nanos) {
+        self.end_edit();
         self.remote.hold = false;
         if let Some(held) = self.remote.held.take() {
             self.start_now(now, held);
@@ -207,8 +212,10 @@ impl Unidex3 {
         if self.link != Link::Remote {
             return;
         }
+        self.end_edit();
         self.leave_manual(now);
         self.remote.addressed = false;
+        self.remote.line.clear();
         self.remote.waiting.clear();
         self.link = Link::Enabled;
         self.panel.mode = Mode::None;

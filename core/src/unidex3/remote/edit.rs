@@ -123,7 +123,7 @@ impl Unidex3 {
     }
 
     /// `%`, `&` or another command: the program is whole, and compiled with all others.
-    pub(super) fn end_edit(&mut self) {
+    pub(in crate::unidex3) fn end_edit(&mut self) {
         if self.remote.edit.take().is_none() {
             return;
         }

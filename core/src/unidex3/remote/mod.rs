@@ -364,6 +364,8 @@ impl Unidex3 {
         if self.link == Link::Enabled {
             self.leave_manual(now);
             self.remote.interface = interface;
+            // What the other interface has begun is void.
+            self.remote.line.clear();
             self.link = Link::Remote;
             self.panel.mode = super::panel::Mode::None;
             self.say(super::firmware::text::REMOTE);
