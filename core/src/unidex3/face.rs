@@ -113,21 +113,6 @@ const SETTINGS: &[Setting] = &[
         choices: Choices::Words(&[("ON", ""), ("OFF", "last=no")]),
     },
     Setting {
-        key: "ppr",
-        name: "Parallel poll response",
-        place: "PPR switches, IEEE-488",
-        choices: Choices::Words(&[
-            ("PPR 1", ""),
-            ("PPR 2", "ppr=2"),
-            ("PPR 3", "ppr=3"),
-            ("PPR 4", "ppr=4"),
-            ("PPR 5", "ppr=5"),
-            ("PPR 6", "ppr=6"),
-            ("PPR 7", "ppr=7"),
-            ("PPR 8", "ppr=8"),
-        ]),
-    },
-    Setting {
         key: "baud",
         name: "Baud rate",
         place: "switches, serial line",
