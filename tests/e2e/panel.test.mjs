@@ -243,7 +243,7 @@ siteTest("a person talks to the bus", async (page, { shot }) => {
   await page.locator(".srq.on").waitFor();
   await page.getByRole("button", { name: "Parallel poll" }).click();
   const log = page.getByRole("log", { name: "What was asked of the bus" });
-  await log.getByText("lines 1 answer").waitFor();
+  await log.getByText("line 1 answers").waitFor();
   await page.getByRole("button", { name: "Serial poll" }).click();
   await log.getByText("unit 1: 40h").waitFor();
   await page.locator(".srq:not(.on)").waitFor();

@@ -75,8 +75,8 @@ pub(super) fn Front(store: Store, face: &'static Face) -> impl IntoView {
                 </nav>
                 <Show when=move || side.get() == Side::Front>
                     <div class="tools" role="group" aria-label="Beside the panel">
-                        {tool(Tray::Joystick, "Joystick")}
                         {tool(Tray::Steps, "First steps")}
+                        {tool(Tray::Joystick, "Joystick")}
                         <Record store />
                     </div>
                 </Show>

@@ -128,8 +128,8 @@ fn order_words(order: &Order) -> String {
 
 fn visible(byte: u8) -> String {
     match byte {
-        b'\r' => "\u{240d}".to_owned(),
-        b'\n' => "\u{240a}".to_owned(),
+        b'\r' => "<CR>".to_owned(),
+        b'\n' => "<LF>".to_owned(),
         b' '..=b'~' => char::from(byte).to_string(),
         byte => format!("<{byte:02X}>"),
     }
@@ -146,7 +146,10 @@ fn report_words(report: Report) -> String {
         Report::ParallelPoll(bits) => {
             let lines = (1..=8).filter(|line| bits >> (line - 1) & 1 != 0);
             let lines: Vec<String> = lines.map(|line: u8| line.to_string()).collect();
-            format!("lines {} answer", lines.join(" "))
+            match lines.as_slice() {
+                [line] => format!("line {line} answers"),
+                lines => format!("lines {} answer", lines.join(" ")),
+            }
         }
     }
 }
@@ -168,7 +171,7 @@ mod tests {
         let lines = log.lines();
         let words: Vec<&str> = lines.iter().map(|line| line.words.as_str()).collect();
         let expected = [
-            "PX\u{240d}\u{240a} (EOI)",
+            "PX<CR><LF> (EOI)",
             "X 0000000045",
             "Y",
             "lines 1 2 8 answer",
