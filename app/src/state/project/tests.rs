@@ -138,6 +138,23 @@ fn work_with_several_controllers_needs_version_2() {
 }
 
 #[test]
+fn switches_that_were_set_need_version_3() {
+    let mut project = project();
+    project.device.controller = "unidex3".to_owned();
+    let address = |number: u8| [("address".to_owned(), format!("address={number}"))];
+    project.work.settings = address(7).into();
+    let file = project.file();
+    assert!(file.contains("\"version\": 3,\n  \"work\""), "{file}");
+    assert_eq!(Project::read(&file), Ok(project.clone()));
+    project.work.settings = address(31).into();
+    let refused = Project::read(&project.file()).unwrap_err().to_string();
+    assert_eq!(
+        refused,
+        "This project cannot be read: a unidex3 cannot be set like its switches."
+    );
+}
+
+#[test]
 fn a_text_may_stand_on_one_line() {
     let text = r#"["10 REM \u00dc\r\n", "20 END\r\n"]"#;
     let read = |text: &str| {
@@ -160,7 +177,7 @@ fn what_is_wrong_is_said() {
     let errors = [
         (
             changed("\"version\": 1,\n  \"work\"", "\"version\": 7,\n  \"work\""),
-            "This project was written by a newer Motionbench: it has version 7 of the format, and this page reads versions up to 2.",
+            "This project was written by a newer Motionbench: it has version 7 of the format, and this page reads versions up to 3.",
         ),
         (
             changed("motionbench project", "shopping list"),
