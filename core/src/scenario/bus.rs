@@ -7,36 +7,8 @@ use crate::time::Nanos;
 use super::MOST_OUTPUT;
 use super::advance::Goal;
 use super::run::{Done, Runner};
-use super::statement::Action;
+use super::statement::{Action, BusAction};
 use super::text::{Line, number, show, show_time};
-
-/// What a statement wants.
-#[derive(Debug, Clone)]
-pub(super) enum BusAction {
-    /// Asks something.
-    Order(Order),
-    /// Asks for a status or a parallel poll, waits for it, and compares it.
-    Poll {
-        order: Order,
-        expected: Option<u8>,
-        within: Nanos,
-    },
-    /// Waits until a unit requests service.
-    UntilService { within: Nanos },
-    /// Whether one does.
-    Service(bool),
-    /// What the talker has said since the last time, and that it ended with EOI.
-    Expect { bytes: Vec<u8>, end: bool },
-}
-
-impl BusAction {
-    pub(super) fn is_momentary(&self) -> bool {
-        !matches!(
-            self,
-            BusAction::Poll { .. } | BusAction::UntilService { .. }
-        )
-    }
-}
 
 /// What the controller has learnt, as far as no statement has asked for it.
 #[derive(Debug, Clone, Default)]

@@ -1,10 +1,10 @@
 //! What a scenario says: the parser's result.
 
 use crate::controller::{Led, Slot};
+use crate::ieee488::Order;
 use crate::serial::{Flow, Parity};
 use crate::time::Nanos;
 
-use super::bus::BusAction;
 use super::condition::Condition;
 
 /// One statement, where it stands and which station it is about.
@@ -149,6 +149,34 @@ impl Action {
                 | Action::At { .. }
                 | Action::Rewind(_)
                 | Action::CheckSettled { .. }
+        )
+    }
+}
+
+/// What is wanted of the bus.
+#[derive(Debug, Clone)]
+pub(super) enum BusAction {
+    /// Asks something.
+    Order(Order),
+    /// Asks for a status or a parallel poll, waits for it, and compares it.
+    Poll {
+        order: Order,
+        expected: Option<u8>,
+        within: Nanos,
+    },
+    /// Waits until a unit requests service.
+    UntilService { within: Nanos },
+    /// Whether one does.
+    Service(bool),
+    /// What the talker has said since the last time, and that it ended with EOI.
+    Expect { bytes: Vec<u8>, end: bool },
+}
+
+impl BusAction {
+    pub(super) fn is_momentary(&self) -> bool {
+        !matches!(
+            self,
+            BusAction::Poll { .. } | BusAction::UntilService { .. }
         )
     }
 }

@@ -1,9 +1,10 @@
 //! The unit as the bench has it: wires, faults, mechanics, and what can be recorded.
 
 use super::clock::Job;
-use super::command::{Axis, Direction, Event};
+use super::command::{Direction, Event};
 use super::feedrate::FRACTION_BITS;
 use super::inputs::{FASTEST_CLOCK, FASTEST_JOYSTICK};
+use super::pair::Axis;
 use super::{DriveKind, Indexer};
 use crate::time::Nanos;
 

@@ -1,6 +1,6 @@
 //! How fast steps come: as a frequency, as a period, as a part of a vector (5-1).
 
-use super::command::Pair;
+use super::pair::Pair;
 
 /// Bits of a [`Feedrate`] below one step per second.
 pub(super) const FRACTION_BITS: u32 = 35;

@@ -1,7 +1,8 @@
 //! The C inputs with what is armed on them, the feedhold inputs, the external clock and the joystick (2-4, 2-5, 6-6).
 
-use super::command::{Axis, Direction, Edge, Interrupt, Pair};
+use super::command::{Direction, Edge, Interrupt};
 use super::feedrate::FRACTION_BITS;
+use super::pair::{Axis, Pair};
 
 /// After an edge a debounced input keeps its level for so long, in us (D297).
 const DEBOUNCE_US: u64 = 5000;

@@ -14,6 +14,7 @@ mod drive;
 pub mod feedrate;
 mod inputs;
 mod orders;
+mod pair;
 mod ramp;
 #[cfg(test)]
 mod tests;
@@ -21,8 +22,9 @@ mod timeline;
 
 pub use bench::{AxisSignals, FAULTS};
 
-pub use command::{Axis, Direction, Edge, Event, Interrupt, Leg, Move, Pair, Ramp, Shape};
+pub use command::{Direction, Edge, Event, Interrupt, Leg, Move, Ramp, Shape};
 pub use feedrate::Feedrate;
+pub use pair::{Axis, Pair};
 
 use crate::time::Nanos;
 use clock::{Clock, Job};

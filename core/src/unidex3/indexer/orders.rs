@@ -1,8 +1,9 @@
 //! What the firmware orders. Each order has the time at which it is given; one of a time that is over acts now.
 
 use super::clock::{Clock, Job};
-use super::command::{Axis, Direction, Edge, Interrupt, Move, Pair};
+use super::command::{Direction, Edge, Interrupt, Move};
 use super::feedrate::Feedrate;
+use super::pair::{Axis, Pair};
 use super::timeline::Homing;
 use super::{Config, HomeKind, Indexer, ramp};
 use crate::time::Nanos;

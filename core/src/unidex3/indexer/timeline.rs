@@ -1,9 +1,10 @@
 //! How time passes: from one pulse, edge or period of the drives to the next.
 
 use super::clock::{Clock, Job};
-use super::command::{Axis, Direction, Event, Interrupt, Pair};
+use super::command::{Direction, Event, Interrupt};
 use super::drive::PERIOD_US;
 use super::feedrate::Feedrate;
+use super::pair::{Axis, Pair};
 use super::{HomeKind, Indexer, MOST_EVENTS};
 use crate::time::Nanos;
 

@@ -2,8 +2,7 @@
 
 use super::registers::Register;
 use super::scan::Scan;
-use super::words::known;
-use super::{Acceleration, Flow, Outcome, RegisterMode, Run, Target, Wait, World};
+use super::{Acceleration, Flow, Outcome, RegisterMode, Run, Target, Wait, World, known};
 use crate::unidex3::indexer::{Axis, Edge, Feedrate, Interrupt, Pair};
 use crate::unidex3::keywords::g_code;
 use crate::unidex3::trouble::Trouble;

@@ -2,8 +2,7 @@
 
 use super::registers::Register;
 use super::scan::Scan;
-use super::words::known;
-use super::{Flow, Outcome, Run, Shown, World};
+use super::{Flow, Outcome, Run, Shown, World, known};
 use crate::unidex3::firmware::MESSAGE;
 use crate::unidex3::trouble::Trouble;
 

@@ -236,6 +236,14 @@ pub struct World<'a> {
     pub log: Option<&'a mut Vec<String>>,
 }
 
+/// Whether the unit has a word.
+fn known(word: &str, world: &World<'_>, otherwise: Trouble) -> Result<(), Trouble> {
+    match world.without {
+        Some(without) if without == word => Err(otherwise),
+        _ => Ok(()),
+    }
+}
+
 /// The interpreter's state.
 #[derive(Debug, Clone, Default)]
 pub struct Run {

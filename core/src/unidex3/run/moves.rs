@@ -1,8 +1,7 @@
 //! X and Y: one axis alone, or both together (5-2).
 
 use super::scan::Scan;
-use super::words::known;
-use super::{Acceleration, Flow, Outcome, RegisterMode, Run, Wait, World};
+use super::{Acceleration, Flow, Outcome, RegisterMode, Run, Wait, World, known};
 use crate::unidex3::indexer::{Axis, Feedrate, LARGEST, Leg, Move, Pair, Ramp, Shape};
 use crate::unidex3::trouble::Trouble;
 

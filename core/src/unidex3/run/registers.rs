@@ -2,8 +2,7 @@
 
 use super::moves::bounded;
 use super::scan::Scan;
-use super::words::known;
-use super::{Flow, Outcome, RegisterMode, Run, World};
+use super::{Flow, Outcome, RegisterMode, Run, World, known};
 use crate::unidex3::indexer::{Axis, Feedrate};
 use crate::unidex3::trouble::Trouble;
 

@@ -1,8 +1,7 @@
 //! N codes, the stack, and where programs end (5-5, 6-2 to 6-4).
 
 use super::scan::Scan;
-use super::words::known;
-use super::{Flow, Modes, Outcome, Place, Run, World};
+use super::{Flow, Modes, Outcome, Place, Run, World, known};
 use crate::unidex3::firmware::LEVELS;
 use crate::unidex3::trouble::Trouble;
 use crate::unidex3::words::{self, Sequence};

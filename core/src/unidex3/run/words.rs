@@ -2,7 +2,7 @@
 
 use super::moves::Legs;
 use super::scan::Scan;
-use super::{Flow, Outcome, RegisterMode, Run, Wait, World};
+use super::{Flow, Outcome, RegisterMode, Run, Wait, World, known};
 use crate::time::Nanos;
 use crate::unidex3::indexer::{Axis, Feedrate};
 use crate::unidex3::trouble::Trouble;
@@ -191,12 +191,4 @@ fn dwell(scan: &mut Scan<'_>, world: &mut World<'_>) -> Outcome {
     let time = Nanos::from_millis(u64::from(time));
     let until = Nanos(world.now.0.saturating_sub(world.indexer.held_for().0)) + time;
     Ok(Flow::Wait(Wait::Dwell { until }))
-}
-
-/// Whether the unit has a word.
-pub(super) fn known(word: &str, world: &World<'_>, otherwise: Trouble) -> Result<(), Trouble> {
-    match world.without {
-        Some(without) if without == word => Err(otherwise),
-        _ => Ok(()),
-    }
 }
