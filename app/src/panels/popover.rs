@@ -49,6 +49,12 @@ pub(super) fn Popover(
     }
 }
 
+/// Whether anything is open that Escape would close.
+pub(super) fn is_open() -> bool {
+    let open = document().query_selector(":popover-open");
+    open.is_ok_and(|open| open.is_some())
+}
+
 /// Closes what the chosen item is in.
 pub(super) fn close(event: MouseEvent) {
     let target = event

@@ -17,7 +17,7 @@ use motionbench_core::controller::FirstStep;
 use web_sys::{ClipboardEvent, Element, HtmlTextAreaElement, KeyboardEvent};
 
 use super::front::ToFront;
-use super::{draw, room};
+use super::{draw, popover, room};
 use crate::protocol::ToWorker;
 use crate::state::Store;
 use crate::state::keys::{Press, Stroke, sent, stroke};
@@ -86,7 +86,8 @@ fn press(store: Store, event: &KeyboardEvent, screen: NodeRef<html::Div>, focus:
         selection: has_selection(),
     };
     let stroke = stroke(press);
-    if event.is_composing() {
+    // Escape first closes what is open over the page.
+    if event.is_composing() || (key == "Escape" && popover::is_open()) {
         return;
     }
     match stroke {

@@ -12,7 +12,7 @@ use motionbench_core::controller::{self, Led, RunState, Signal, Status};
 use motionbench_core::serial::LineSettings;
 use motionbench_core::time::Nanos;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
-use web_sys::{Element, Event, HtmlElement};
+use web_sys::{Element, Event, HtmlElement, PointerEvent};
 
 use super::{estop, front, io, status, terminal};
 use crate::clock::within;
@@ -218,18 +218,17 @@ async fn a_key_is_down_while_a_finger_holds_it() {
     let panel = front_panel();
     panel.ready();
     let key = panel.find(".cap.UP");
+    let finger = |what| PointerEvent::new(what).unwrap();
     let is_down = || key.class_list().contains("down");
     for end in ["pointerup", "pointercancel", "lostpointercapture"] {
-        key.dispatch_event(&Event::new("pointerdown").unwrap())
-            .unwrap();
+        key.dispatch_event(&finger("pointerdown")).unwrap();
         drawn().await;
         assert!(is_down(), "{end}");
-        key.dispatch_event(&Event::new(end).unwrap()).unwrap();
+        key.dispatch_event(&finger(end)).unwrap();
         drawn().await;
         assert!(!is_down(), "{end}");
     }
-    key.dispatch_event(&Event::new("pointerdown").unwrap())
-        .unwrap();
+    key.dispatch_event(&finger("pointerdown")).unwrap();
     window()
         .dispatch_event(&Event::new("blur").unwrap())
         .unwrap();
