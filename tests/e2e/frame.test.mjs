@@ -176,6 +176,7 @@ siteTest("keys run, stop, pause and step, wherever the keyboard is", async (page
   await page.getByText("running", { exact: true }).waitFor();
   await page.keyboard.press("Shift+F5");
   await page.getByText("idle", { exact: true }).waitFor();
+  await printedEnd(page, "\n>");
   assert.match(await printed(page), /BREAK IN [123]0\n>$/);
   await page.keyboard.press("F5");
   await page.getByText("Which one shall run?").waitFor();
