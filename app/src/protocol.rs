@@ -68,6 +68,8 @@ pub enum ToWorker {
         /// Down or up.
         down: bool,
     },
+    /// The selector of a front panel that units share is turned to this one, from 0. What comes behind is for that unit.
+    Select(usize),
     /// Something is asked of the controller of the IEEE-488 bus.
     Bus(Order),
     /// How the terminal's end of the line is set.
@@ -165,6 +167,8 @@ pub struct Ready {
     pub line: LineSettings,
     /// What its samples hold, in this order.
     pub signals: Vec<Signal>,
+    /// Units behind its front panel, each with such signals.
+    pub units: usize,
 }
 
 /// What happened since the frame before.
@@ -174,8 +178,14 @@ pub struct Frame {
     pub number: u64,
     /// Simulated time.
     pub now: Nanos,
+    /// The unit that its front panel is switched to, from 0: what is told here is of that one, if not of the bench.
+    pub unit: usize,
+    /// How many of the samples beside the frame are each unit's.
+    pub parts: Vec<usize>,
     /// What the controller does.
     pub status: Status,
+    /// Grows with all that may change what [`ToWorker::Keep`] keeps.
+    pub work: u64,
     /// Simulated seconds a second, lately.
     pub reached: f64,
     /// What its front panel shows, where it has one.
@@ -195,9 +205,9 @@ pub struct Frame {
 }
 
 /// What a worker is told by its name: the kind of controller, and its options as in a scenario.
-pub fn bench_name(kind: &str, options: &[String]) -> String {
-    let words = std::iter::once(kind).chain(options.iter().map(String::as_str));
-    words.collect::<Vec<_>>().join(" ")
+pub fn bench_name(kind: &str, options: &[(String, String)]) -> String {
+    let words = options.iter().map(|(key, value)| format!(" {key}={value}"));
+    kind.to_owned() + &words.collect::<String>()
 }
 
 /// What [`bench_name`] was given; an option that is not one is passed over.

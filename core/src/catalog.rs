@@ -201,6 +201,18 @@ pub fn create(id: &str, options: &[(String, String)]) -> Result<Station, String>
     })
 }
 
+/// The options of each station that these options put on the bench, for [`create`]: more than one where units share a
+/// front panel. The first is nearest to the host.
+///
+/// # Errors
+/// One clear line about a number of units that there cannot be.
+pub fn units(id: &str, options: &[(String, String)]) -> Result<Vec<Vec<(String, String)>>, String> {
+    match id {
+        "unidex3" => unidex3::units::units(options),
+        _ => Ok(vec![options.to_vec()]),
+    }
+}
+
 /// The kind called `id`.
 pub fn kind(id: &str) -> Option<&'static Kind> {
     KINDS.iter().find(|kind| kind.id == id)

@@ -294,13 +294,67 @@ siteTest("keys are recorded as a scenario that presses them", async (page) => {
   assert.match(Buffer.concat(chunks).toString(), /^bench unidex3\npower on\nrun until idle\n(run .*\n)?press SLW\nrun .*\nhold RIGHT [\d.]+s\n/);
 });
 
+/** One panel for `count` units. */
+async function share(page, count) {
+  const label = count === 1 ? "Fitted" : `One for ${count} units, with a selector`;
+  await page.getByRole("button", { name: "Rear", exact: true }).click();
+  await page.getByRole("combobox", { name: "Keyboard" }).selectOption({ label });
+  await page.getByRole("button", { name: "Set", exact: true }).click();
+  await page.getByRole("button", { name: "Front", exact: true }).click();
+  await eventually("its places are there", async () => (await page.locator(".place").count()) === (count === 1 ? 0 : count));
+  await shows(page, "URAM CLR");
+}
+
+const turn = (page, pair) => page.getByRole("button", { name: `Axis pair ${pair}`, exact: true }).click();
+
+siteTest("one panel has several units, each with its axes, switches and programs", async (page, { shot }) => {
+  await unidex(page);
+  await share(page, 3);
+  await turn(page, 2);
+  await shows(page, "URAM CLR");
+  await page.keyboard.type("e07\n");
+  await page.keyboard.type("g91*x3000f300*m2*a");
+  await page.getByRole("switch", { name: "Input C2" }).click();
+  await press(page, "EXC");
+  await shows(page, "RUNNING");
+  // It runs on by itself while another is looked at.
+  await turn(page, 1);
+  await shows(page, "URAM CLR");
+  assert.equal(await tracking(page, "X"), 0);
+  assert.equal(await page.getByRole("switch", { name: "Input C2" }).getAttribute("aria-checked"), "true", "C2 of unit 1 is as it was");
+  await press(page, "SLW");
+  await page.keyboard.down("ArrowUp");
+  await runs(page, "Y");
+  await page.keyboard.up("ArrowUp");
+  await turn(page, 2);
+  await runs(page, "X");
+  await accessible(page);
+  await shot("panel-selector");
+  await page.locator(".axis-strip .position").first().getByText(/^3,?.?000/).waitFor({ timeout: 20_000 });
+  assert.equal(await tracking(page, "X"), 3000);
+  assert.equal(await page.getByRole("switch", { name: "Input C2" }).getAttribute("aria-checked"), "false");
+  // What each holds comes back, and each is addressed by itself.
+  await page.waitForTimeout(1500);
+  await page.reload();
+  await page.getByRole("button", { name: "Terminal", exact: true }).click();
+  await page.getByRole("textbox", { name: "Terminal" }).focus();
+  await page.keyboard.press("Escape");
+  await page.keyboard.type("02\nPD\n");
+  await page.getByText("PROGRAM # 07").first().waitFor();
+});
+
 for (const [size, width, height] of [["phone", 360, 740], ["tablet", 820, 1180], ["wide", 1440, 900]]) {
   for (const colorScheme of ["light", "dark"]) {
     siteTest(`the panel is clear and usable, ${size} and ${colorScheme}`, async (page, { shot }) => {
       await page.setViewportSize({ width, height });
       await page.emulateMedia({ colorScheme });
       await unidex(page);
+      await share(page, 8);
       await accessible(page);
+      await shot(`panel-${size}-${colorScheme}-selector`);
+      const places = await page.locator(".place").evaluateAll((places) => places.map((place) => place.getBoundingClientRect()));
+      assert.ok(places.every((place) => Math.min(place.width, place.height) >= 24 && place.right <= width), "its places can be hit");
+      await share(page, 1);
       const device = await page.locator(".device").boundingBox();
       assert.ok(device.x >= 0 && device.x + device.width <= width, "the device is in sight");
       const caps = await page.locator(".pad .cap").evaluateAll((caps) => caps.map((cap) => cap.getBoundingClientRect()));

@@ -1,6 +1,7 @@
 //! A controller that is a device of its own: its front panel, the switches and jumpers, the printer at its line.
 
 use leptos::prelude::*;
+use motionbench_core::catalog;
 use motionbench_core::controller::Face;
 
 mod bus;
@@ -95,14 +96,19 @@ fn Record(store: Store) -> impl IntoView {
             .with(|kept| kept.as_ref().map(Recording::len))
     });
     let turn = move |_| {
-        let now = store.device.with_untracked(|device| device.now);
+        let (now, unit) = store
+            .device
+            .with_untracked(|device| (device.now, device.unit));
         let Some(recording) = store.recording.get_untracked() else {
-            return store.recording.set(Some(Recording::new(now)));
+            return store.recording.set(Some(Recording::new(now, unit)));
         };
         store.recording.set(None);
         let kind = untrack(|| store.kind().id);
         let options = store.settings.with_untracked(front::options);
-        let text = recording.scenario(kind, &options, now);
+        let Ok(units) = catalog::units(kind, &options) else {
+            return;
+        };
+        let text = recording.scenario(kind, &units, now);
         if files::save("keys.scenario", "text/plain", &text).is_err() {
             store
                 .notice

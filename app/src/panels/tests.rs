@@ -95,6 +95,7 @@ impl Panel {
             controller: "Danaher MC-600".to_owned(),
             line: LineSettings::new(9600),
             signals: signals.to_vec(),
+            units: 1,
         }));
     }
 
@@ -117,7 +118,10 @@ impl Panel {
         let mut frame = Frame {
             number,
             now: Nanos::from_millis(1500),
+            unit: 0,
+            parts: vec![samples.len()],
             status,
+            work: 0,
             reached: 1.0,
             panel: None,
             bus: None,

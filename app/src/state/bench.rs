@@ -10,7 +10,6 @@ use super::editor::EditorState;
 use super::front::{Paper, Settings};
 use super::project::{self, Desk};
 use super::revive::Health;
-use super::scope::Scope;
 use super::store::Wanted;
 use super::terminal::Terminal;
 use super::wiring::Wiring;
@@ -154,7 +153,7 @@ impl Store {
         self.health.set_value(Health::default());
         self.terminal.update_value(Terminal::reset);
         self.printed.update(|count| *count += 1);
-        self.change_scope(|scope| *scope = Scope::default());
+        self.clear_scopes();
         self.start_worker();
     }
 }

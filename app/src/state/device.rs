@@ -21,6 +21,12 @@ pub struct Device {
     pub console: Option<LineSettings>,
     /// What it does; `None` until it is known.
     pub status: Option<Status>,
+    /// Grows with all that may change what it holds.
+    pub work: u64,
+    /// Units behind its front panel, and the one that is selected there, from 0.
+    pub units: usize,
+    /// All that is known of a unit is of this one.
+    pub unit: usize,
     /// What its front panel shows, where it has one.
     pub panel: Option<Panel>,
     /// How the IEEE-488 bus stands, where there is one.
@@ -61,6 +67,9 @@ impl Default for Device {
             line: None,
             console: None,
             status: None,
+            work: 0,
+            units: 1,
+            unit: 0,
             panel: None,
             bus: None,
             now: Nanos::ZERO,
@@ -80,11 +89,14 @@ impl Device {
             News::Ready(ready) => {
                 self.name.clone_from(&ready.controller);
                 self.console = Some(ready.line);
+                (self.units, self.unit) = (ready.units, 0);
                 // A worker that replaces another is set as the user had set it.
                 self.line.get_or_insert(ready.line);
             }
             News::Frame(frame, _) => {
                 self.status = Some(frame.status.clone());
+                self.work = frame.work;
+                self.unit = frame.unit;
                 self.panel.clone_from(&frame.panel);
                 self.bus = frame.bus;
                 self.now = frame.now;
@@ -231,7 +243,10 @@ mod tests {
         let frame = Frame {
             number: 1,
             now: Nanos::from_millis(5),
+            unit: 0,
+            parts: Vec::new(),
             status,
+            work: 0,
             reached: 1.0,
             panel: None,
             bus: None,

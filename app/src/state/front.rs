@@ -53,9 +53,17 @@ impl Held {
 pub type Settings = BTreeMap<String, String>;
 
 /// The options that a bench is given for them.
-pub fn options(settings: &Settings) -> Vec<String> {
+pub fn options(settings: &Settings) -> Vec<(String, String)> {
     let words = settings.values().flat_map(|options| options.split(' '));
-    words.map(str::to_owned).collect()
+    let options = words.filter_map(|word| word.split_once('='));
+    options
+        .map(|(key, value)| (key.to_owned(), value.to_owned()))
+        .collect()
+}
+
+/// Whether they are those of several units.
+pub fn are_several(settings: &Settings) -> bool {
+    options(settings).iter().any(|(key, _)| key == "units")
 }
 
 /// Whether a kind of controller can be set so.
@@ -206,6 +214,13 @@ mod tests {
         face.settings.iter().find(|s| s.key == key).unwrap()
     }
 
+    fn as_words(settings: &Settings) -> Vec<String> {
+        let options = options(settings).into_iter();
+        options
+            .map(|(key, value)| format!("{key}={value}"))
+            .collect()
+    }
+
     #[test]
     fn a_key_goes_up_when_the_last_hand_lets_go() {
         let mut held = Held::default();
@@ -244,7 +259,7 @@ mod tests {
             let unused = place == 3;
             assert_eq!(turn(&mut settings, address, binary, place), !unused);
         }
-        assert_eq!(options(&settings), ["address=29"]);
+        assert_eq!(as_words(&settings), ["address=29"]);
         assert!(turn(&mut settings, address, binary, 4), "30 is the highest");
         assert!(
             turn(&mut settings, address, binary, 3) && number(&settings, address, binary) == 30
@@ -263,10 +278,8 @@ mod tests {
         assert_eq!(chosen(&settings, drives, words), 0);
         choose(&mut settings, drives, words[4].1);
         assert_eq!(chosen(&settings, drives, words), 4);
-        assert_eq!(
-            options(&settings),
-            ["drive=stepper", "home=software", "home-y=ccw"]
-        );
+        let expected = ["drive=stepper", "home=software", "home-y=ccw"];
+        assert_eq!(as_words(&settings), expected);
         assert!(can_be_set(unidex, &settings));
         assert!(!can_be_set(kind("mc600").unwrap(), &settings));
         choose(&mut settings, drives, "");

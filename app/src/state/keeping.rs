@@ -100,10 +100,8 @@ impl Store {
         let mut asked = None;
         clock::every(ASK_MS, move || {
             let now = self.device.with_untracked(|device| {
-                device
-                    .status
-                    .as_ref()
-                    .map(|status| (status.spent, status.revision, status.power))
+                let status = device.status.as_ref();
+                status.map(|status| (device.work, status.power))
             });
             if now.is_some() && now != asked {
                 asked = now;

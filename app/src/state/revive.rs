@@ -92,6 +92,8 @@ impl Store {
             .device
             .with_untracked(|device| device.status.as_ref().is_none_or(|status| status.power));
         self.start_worker();
+        // Dark until the other one shows something.
+        self.device.update(|device| device.panel = None);
         self.editor.update(EditorState::forget_controller);
         self.start_on_new_line();
         let line = self.device.with_untracked(|device| device.line);

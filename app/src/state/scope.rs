@@ -63,9 +63,14 @@ impl Default for Scope {
 impl Scope {
     /// An empty recording of these signals.
     pub fn new(signals: &[Signal]) -> Scope {
+        Scope::keeping(signals, ROWS)
+    }
+
+    /// An empty recording that keeps so many rows.
+    fn keeping(signals: &[Signal], rows: usize) -> Scope {
         Scope {
             signals: signals.to_vec(),
-            trace: Trace::new(signals.len(), ROWS),
+            trace: Trace::new(signals.len(), rows),
             newest: Vec::new(),
             ever: vec![0; signals.len()],
             strips: strips::initial(signals),
@@ -75,9 +80,10 @@ impl Scope {
         }
     }
 
-    /// Begins a new recording, of a simulator that starts again. What the user chose to see stays.
-    pub fn start(&mut self, signals: &[Signal]) {
-        let mut started = Scope::new(signals);
+    /// Begins a new recording, one of so many at the same time, of a simulator that starts again. What the user chose to
+    /// see stays.
+    pub fn start(&mut self, signals: &[Signal], recordings: usize) {
+        let mut started = Scope::keeping(signals, ROWS / recordings.max(1));
         if !self.signals.is_empty() {
             started.strips = strips::again(&self.strips, &self.signals, signals);
             if self.window.follow == Follow::Newest {

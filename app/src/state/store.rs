@@ -18,7 +18,7 @@ use super::terminal::Terminal;
 use super::wiring::Wiring;
 use super::{Console, Device, Fault, News};
 use crate::client::Client;
-use crate::protocol::{Frame, ToWorker, Unloadable};
+use crate::protocol::{Frame, Ready, ToWorker, Unloadable};
 
 /// What the user wants on the bench instead of what is there.
 #[derive(Debug, Clone)]
@@ -87,7 +87,8 @@ pub struct Store {
     pub(super) terminal: StoredValue<Terminal, LocalStorage>,
     /// As soon as the present controller has said what it holds.
     pub(super) wanted: StoredValue<Option<Wanted>>,
-    scope: StoredValue<Scope, LocalStorage>,
+    /// Of each unit, shown or not; never none.
+    scopes: StoredValue<Vec<Scope>, LocalStorage>,
     pub(super) client: StoredValue<Option<Client>, LocalStorage>,
     pub(super) health: StoredValue<Health>,
 }
@@ -133,7 +134,7 @@ impl Store {
             wanted: StoredValue::new(None),
             health: StoredValue::new(Health::default()),
             terminal: StoredValue::new_local(Terminal::default()),
-            scope: StoredValue::new_local(Scope::default()),
+            scopes: StoredValue::new_local(vec![Scope::default()]),
             client: StoredValue::new_local(None),
         };
         store.follow_breakpoints();
@@ -146,15 +147,18 @@ impl Store {
         if let ToWorker::Speed(speed) = message {
             self.device.update(|device| device.speed = speed);
         }
-        if matches!(message, ToWorker::Wire { .. } | ToWorker::EmergencyStop(_)) {
+        if matches!(
+            message,
+            ToWorker::Wire { .. } | ToWorker::EmergencyStop(_) | ToWorker::Select(_)
+        ) {
             self.wiring.update(|wiring| wiring.hear(&message));
         }
-        if let ToWorker::Key { key, down } = &message
+        if matches!(message, ToWorker::Key { .. } | ToWorker::Select(_))
             && self.recording.with_untracked(Option::is_some)
         {
             let now = self.device.with_untracked(|device| device.now);
             self.recording
-                .update(|kept| kept.iter_mut().for_each(|kept| kept.hear(now, key, *down)));
+                .update(|kept| kept.iter_mut().for_each(|kept| kept.hear(now, &message)));
         }
         self.client.with_value(|client| {
             if let Some(client) = client {
@@ -186,16 +190,75 @@ impl Store {
         self.printed.update(|count| *count += 1);
     }
 
-    /// Reads the scope.
+    /// Reads the scope of the selected unit.
     pub fn with_scope<T>(&self, read: impl FnOnce(&Scope) -> T) -> T {
-        self.scope.with_value(read)
+        let unit = self.device.with_untracked(|device| device.unit);
+        self.scopes.with_value(|scopes| match scopes.get(unit) {
+            Some(scope) => read(scope),
+            None => read(&Scope::default()),
+        })
     }
 
-    /// Does what the user wants of the scope.
+    /// Does what the user wants of the scope of the selected unit.
     pub fn change_scope(&self, change: impl FnOnce(&mut Scope)) {
-        self.scope.update_value(change);
+        let unit = self.device.with_untracked(|device| device.unit);
+        self.scopes
+            .update_value(|scopes| scopes.get_mut(unit).map(change).unwrap_or_default());
+        self.redraw_scope();
+    }
+
+    /// Forgets all that was recorded and chosen.
+    pub(super) fn clear_scopes(&self) {
+        self.scopes.set_value(vec![Scope::default()]);
+        self.redraw_scope();
+    }
+
+    fn redraw_scope(&self) {
         self.chosen.update(|count| *count += 1);
         self.recorded.update(|count| *count += 1);
+    }
+
+    /// A simulator has started.
+    fn start_recording(&self, ready: &Ready) {
+        self.scopes.update_value(|scopes| {
+            scopes.resize_with(ready.units.max(1), Scope::default);
+            let start = |scope: &mut Scope| scope.start(&ready.signals, ready.units);
+            scopes.iter_mut().for_each(start);
+        });
+        self.redraw_scope();
+    }
+
+    /// Takes the samples of a frame; returns those of the unit that it tells of.
+    fn record<'a>(&self, frame: &Frame, samples: &'a [f64], power_cycle: bool) -> &'a [f64] {
+        let mut of_unit = &[][..];
+        let mut rest = samples;
+        for (unit, &part) in frame.parts.iter().enumerate() {
+            let Some((samples, behind)) = rest.split_at_checked(part) else {
+                break;
+            };
+            rest = behind;
+            let changed = self.scopes.try_update_value(|scopes| {
+                let scope = scopes.get_mut(unit)?;
+                Some(scope.take(samples, power_cycle))
+            });
+            if unit == frame.unit {
+                of_unit = samples;
+                if changed.flatten() == Some(true) {
+                    self.recorded.update(|count| *count += 1);
+                }
+            }
+        }
+        of_unit
+    }
+
+    /// The front panel is switched to another unit: what was known of the one before is not known of this one.
+    fn hear_selected(&self, frame: &Frame) {
+        if self.device.with_untracked(|device| device.unit) != frame.unit {
+            self.device.update(|device| device.unit = frame.unit);
+            self.editor.update(EditorState::forget_controller);
+            self.refusal.set(None);
+            self.redraw_scope();
+        }
     }
 
     /// What leaves a controller that has a face: its strobe, and what a printer puts on paper, what the bus carries.
@@ -232,12 +295,14 @@ impl Store {
         let was_on = self.device.with_untracked(Device::is_on);
         match news {
             News::Ready(ready) => {
-                self.change_scope(|scope| scope.start(&ready.signals));
+                self.start_recording(ready);
+                self.wiring.update(|wiring| wiring.set_units(ready.units));
                 let wiring = self.wiring.get_untracked();
                 wiring.differences().into_iter().for_each(|m| self.send(m));
             }
             News::Frame(frame, samples) => {
                 self.health.update_value(Health::heard);
+                self.hear_selected(frame);
                 if frame.status.power && !was_on {
                     self.start_on_new_line();
                 }
@@ -251,12 +316,7 @@ impl Store {
                     self.terminal.update_value(|terminal| terminal.asks(waits));
                 }
                 let power_cycle = frame.status.power != was_on;
-                let changed = self
-                    .scope
-                    .try_update_value(|scope| scope.take(samples, power_cycle));
-                if changed == Some(true) {
-                    self.recorded.update(|count| *count += 1);
-                }
+                let samples = self.record(frame, samples, power_cycle);
                 self.hear_outputs(frame, samples);
                 self.hear_of_program(frame);
                 self.hear_console(frame);

@@ -11,7 +11,9 @@ use crate::protocol::ToWorker;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wiring {
     inputs: &'static [Wired],
-    values: Vec<f64>,
+    /// The unit whose inputs are meant, where several share a front panel, from 0; and how those of each stand.
+    unit: usize,
+    values: Vec<Vec<f64>>,
     estop: bool,
 }
 
@@ -20,7 +22,8 @@ impl Wiring {
     pub fn new(kind: &Kind) -> Wiring {
         Wiring {
             inputs: kind.inputs,
-            values: kind.inputs.iter().map(|input| input.at).collect(),
+            unit: 0,
+            values: vec![kind.inputs.iter().map(|input| input.at).collect()],
             estop: false,
         }
     }
@@ -32,7 +35,16 @@ impl Wiring {
 
     /// How an input stands.
     pub fn value(&self, input: usize) -> f64 {
-        self.values.get(input).copied().unwrap_or_default()
+        let values = self.values.get(self.unit);
+        let value = values.and_then(|values| values.get(input));
+        value.copied().unwrap_or_default()
+    }
+
+    /// There are so many units, each with such inputs.
+    pub fn set_units(&mut self, units: usize) {
+        let usual = || self.inputs.iter().map(|input| input.at).collect();
+        self.values.resize_with(units.max(1), usual);
+        self.unit = self.unit.min(self.values.len() - 1);
     }
 
     /// Whether an input is on: nearer to its upper end.
@@ -69,13 +81,17 @@ impl Wiring {
     pub fn hear(&mut self, message: &ToWorker) {
         match message {
             ToWorker::EmergencyStop(pressed) => self.estop = *pressed,
+            ToWorker::Select(unit) if *unit < self.values.len() => self.unit = *unit,
             ToWorker::Wire { name, value } => {
                 let stays = |input: &Wired| !matches!(input.handle, Handle::Jog(_));
                 let place = self
                     .inputs
                     .iter()
                     .position(|input| input.wire == name && stays(input));
-                if let Some(held) = place.and_then(|place| self.values.get_mut(place)) {
+                let values = self.values.get_mut(self.unit);
+                if let (Some(place), Some(values)) = (place, values)
+                    && let Some(held) = values.get_mut(place)
+                {
                     *held = *value;
                 }
             }
@@ -85,11 +101,22 @@ impl Wiring {
 
     /// What a simulator that has just started must be told.
     pub fn differences(&self) -> Vec<ToWorker> {
-        let stands = self.inputs.iter().zip(&self.values).enumerate();
-        let mut messages: Vec<ToWorker> = stands
-            .filter(|(_, (input, value))| input.at != **value)
-            .filter_map(|(place, (_, value))| self.turn(place, *value))
-            .collect();
+        let mut messages = Vec::new();
+        let mut selected = 0;
+        let mut select = |unit: usize, messages: &mut Vec<ToWorker>| {
+            if selected != unit {
+                selected = unit;
+                messages.push(ToWorker::Select(unit));
+            }
+        };
+        for (unit, values) in self.values.iter().enumerate() {
+            let stands = self.inputs.iter().zip(values).enumerate();
+            for (place, (_, value)) in stands.filter(|(_, (input, value))| input.at != **value) {
+                select(unit, &mut messages);
+                messages.extend(self.turn(place, *value));
+            }
+        }
+        select(self.unit, &mut messages);
         if self.estop {
             messages.push(ToWorker::EmergencyStop(true));
         }
@@ -186,6 +213,32 @@ mod tests {
     }
 
     #[test]
+    fn each_unit_has_inputs_of_its_own() {
+        let mut wiring = wiring();
+        wiring.set_units(3);
+        let hear = |wiring: &mut Wiring, message: ToWorker| wiring.hear(&message);
+        let press = |wiring: &mut Wiring| {
+            let message = wiring.switch(3).unwrap();
+            wiring.hear(&message);
+        };
+        press(&mut wiring);
+        hear(&mut wiring, ToWorker::Select(2));
+        assert!(!wiring.is_on(3));
+        press(&mut wiring);
+        hear(&mut wiring, ToWorker::Select(1));
+        let on = || ToWorker::Wire {
+            name: "in3".to_owned(),
+            value: 1.0,
+        };
+        let expected = [on(), ToWorker::Select(2), on(), ToWorker::Select(1)];
+        assert_eq!(wiring.differences(), expected);
+        hear(&mut wiring, ToWorker::Select(3));
+        assert!(!wiring.is_on(3), "there is no fourth");
+        wiring.set_units(1);
+        assert_eq!(wiring.differences(), [on()]);
+    }
+
+    #[test]
     fn a_pin_is_switched_and_turned() {
         const PIN: [Wired; 1] = [Wired {
             label: "A",
@@ -201,7 +254,8 @@ mod tests {
         }];
         let mut wiring = Wiring {
             inputs: &PIN,
-            values: vec![5.0],
+            unit: 0,
+            values: vec![vec![5.0]],
             estop: false,
         };
         assert!(wiring.is_on(0));

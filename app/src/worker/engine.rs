@@ -1,4 +1,5 @@
-//! The bench with one controller on it, driven by the page's messages. It knows neither browser nor wall clock.
+//! The bench with one controller on it, or several behind one front panel, driven by the page's messages. It knows neither
+//! browser nor wall clock.
 
 use motionbench_core::bench::{Bench, BusView};
 use motionbench_core::catalog;
@@ -12,6 +13,7 @@ use motionbench_core::probe::Probe;
 use motionbench_core::time::Nanos;
 
 use super::sender::{Line, Sender};
+use super::units;
 use crate::protocol::{self, BUILD, FromWorker, Ready, ToWorker, Unloadable, read_bench_name};
 
 /// Rows and console bytes that wait for the page; when there are more, simulation waits too. So much in a frame is
@@ -28,6 +30,7 @@ pub struct Engine {
     received: Vec<u8>,
     shown: Vec<u8>,
     info: ControllerInfo,
+    /// The station that the front panel is switched to; all are alike.
     station: usize,
     line: usize,
     sender: Sender,
@@ -45,8 +48,12 @@ pub struct Engine {
 pub struct Report {
     /// Simulated time.
     pub now: Nanos,
+    /// The unit of which this tells, from 0.
+    pub unit: usize,
     /// What the controller does.
     pub status: Status,
+    /// Grows with all that may change what is kept.
+    pub work: u64,
     /// What its front panel shows.
     pub panel: Option<Panel>,
     /// How the IEEE-488 bus stands.
@@ -59,8 +66,10 @@ pub struct Report {
     pub received: Option<String>,
     /// Characters that wait to be sent to the controller.
     pub pending: usize,
-    /// The samples, as [`protocol::pack`] makes them.
+    /// The samples of each unit, as [`protocol::pack`] makes them, one behind the other.
     pub samples: Vec<f64>,
+    /// How many are each unit's.
+    pub parts: Vec<usize>,
     /// Simulated time stands still.
     pub frozen: bool,
 }
@@ -72,21 +81,24 @@ impl Engine {
     /// One clear line, if there is no such kind or it has no such option.
     pub fn new(name: &str) -> Result<Engine, String> {
         let (kind, options) = read_bench_name(name);
-        let station = catalog::create(kind, &options)?;
-        let info = station.controller().info().clone();
         let mut bench = Bench::new();
-        let station = bench.add(info.id, station, None);
-        let line = bench
-            .line_of(station)
-            .ok_or("the controller has no console")?;
-        bench.power(station, true);
+        let mut line = None;
+        for options in catalog::units(kind, &options)? {
+            let unit = bench.add(kind, catalog::create(kind, &options)?, line);
+            line = bench.line_of(unit);
+            bench.power(unit, true);
+        }
+        let first = bench.station(0).map(|station| station.info().clone());
+        let (Some(info), Some(line)) = (first, line) else {
+            return Err("the controller has no console".to_owned());
+        };
         Ok(Engine {
             bench,
             probe: Probe::recording(),
             received: Vec::new(),
             shown: Vec::new(),
             info,
-            station,
+            station: 0,
             line,
             sender: Sender::default(),
             terminal: TerminalSettings::default(), // the page says how it is
@@ -103,6 +115,7 @@ impl Engine {
             controller: self.info.name.to_owned(),
             line: self.info.line,
             signals: self.info.signals.clone(),
+            units: self.bench.len(),
         }
     }
 
@@ -141,7 +154,7 @@ impl Engine {
             ToWorker::Freeze(frozen) => {
                 self.frozen = *frozen;
                 if !frozen {
-                    self.debug(Debug::Control(Control::Continue));
+                    self.each(|unit| drop(unit.debug(Debug::Control(Control::Continue))));
                 }
             }
             ToWorker::Step => {
@@ -149,11 +162,18 @@ impl Engine {
                 self.may_be_held = true;
                 self.frozen = false;
             }
-            ToWorker::EmergencyStop(pressed) => self.outside(Input::Fault {
-                kind: "estop".to_owned(),
-                axis: None,
-                active: *pressed,
-            }),
+            ToWorker::EmergencyStop(pressed) => {
+                let stop = Input::Fault {
+                    kind: "estop".to_owned(),
+                    axis: None,
+                    active: *pressed,
+                };
+                for unit in 0..self.bench.len() {
+                    // Every controller has one.
+                    let _ = self.bench.input(unit, stop.clone());
+                }
+            }
+            ToWorker::Select(unit) => self.select(*unit),
             ToWorker::Wire { name, value } => self.outside(Input::Wire {
                 name: name.clone(),
                 value: *value,
@@ -169,8 +189,8 @@ impl Engine {
             ToWorker::Break => self.bench.send_break(self.line),
             ToWorker::Cancel => self.cancel(),
             ToWorker::Keep => {
-                let station = self.bench.station(self.station)?;
-                let memory = station.memory(Survives::Reload);
+                let held = self.units().map(|unit| unit.memory(Survives::Reload));
+                let memory = units::join(held);
                 if memory != self.kept {
                     self.kept.clone_from(&memory);
                     return Some(FromWorker::Kept(memory));
@@ -178,7 +198,8 @@ impl Engine {
             }
             ToWorker::Restore(memory) => {
                 self.kept.clone_from(memory);
-                self.bench.station_mut(self.station)?.restore(memory);
+                let mut parts = units::split(memory, self.bench.len()).into_iter();
+                self.each(|unit| unit.restore(&parts.next().unwrap_or_default()));
             }
             ToWorker::Cam => {
                 let table = match self.bench.station_mut(self.station)?.debug(Debug::Cam) {
@@ -196,7 +217,9 @@ impl Engine {
             ToWorker::Power(on) => {
                 self.frozen = false;
                 self.cancel();
-                self.bench.power(self.station, *on);
+                for unit in 0..self.bench.len() {
+                    self.bench.power(unit, *on);
+                }
             }
             ToWorker::Speed(_) | ToWorker::Taken(_) => {}
         }
@@ -269,6 +292,39 @@ impl Engine {
         }
     }
 
+    /// Turns the selector of the front panel.
+    fn select(&mut self, unit: usize) {
+        if let Some(selector) = self.info.panel_selector
+            && unit < self.bench.len()
+        {
+            self.station = unit;
+            self.outside(Input::Wire {
+                name: selector.to_owned(),
+                value: (unit + 1) as f64,
+            });
+        }
+    }
+
+    /// All stations.
+    fn units(&self) -> impl Iterator<Item = &dyn Controller> {
+        (0..self.bench.len()).filter_map(|unit| self.bench.station(unit))
+    }
+
+    /// Does something to each station.
+    fn each(&mut self, mut act: impl FnMut(&mut dyn Controller)) {
+        for unit in 0..self.bench.len() {
+            if let Some(station) = self.bench.station_mut(unit) {
+                act(station);
+            }
+        }
+    }
+
+    /// Whether the program of a unit is held.
+    fn is_held(&self) -> bool {
+        self.units()
+            .any(|unit| unit.status().run == RunState::Paused)
+    }
+
     /// The page offers only what the controller has.
     fn outside(&mut self, input: Input) {
         let _ = self.bench.input(self.station, input);
@@ -306,7 +362,7 @@ impl Engine {
             return;
         }
         while !self.frozen && self.bench.run_next(until, &mut self.probe) {
-            self.frozen = self.status().run == RunState::Paused;
+            self.frozen = self.is_held();
         }
         if !self.frozen {
             self.bench.run_until(until, &mut self.probe);
@@ -320,7 +376,7 @@ impl Engine {
 
     /// Whether so much waits to be reported that simulation must wait.
     pub fn is_full(&self) -> bool {
-        let rows = self.probe.traces.first().map_or(0, |trace| trace.len());
+        let rows: usize = self.probe.traces.iter().map(|trace| trace.len()).sum();
         rows >= MOST_ROWS || self.probe.console.len() + self.shown.len() >= MOST_BYTES
     }
 
@@ -336,16 +392,26 @@ impl Engine {
         self.receive();
         let shown = std::mem::take(&mut self.shown);
         let received = std::mem::take(&mut self.received);
-        let trace = self.probe.traces.get_mut(self.station);
-        let samples = trace.map_or_else(Vec::new, |trace| {
-            let samples = protocol::pack(trace);
+        let (mut samples, mut parts) = (Vec::new(), Vec::new());
+        for trace in &mut self.probe.traces {
+            let packed = protocol::pack(trace);
             trace.clear();
-            samples
-        });
+            parts.push(packed.len());
+            // The only part is not copied.
+            match samples.is_empty() {
+                true => samples = packed,
+                false => samples.extend(packed),
+            }
+        }
         Report {
             now: self.now(),
+            unit: self.station,
             status: self.status(),
-            panel: self.station().panel(),
+            work: self
+                .units()
+                .map(|unit| unit.status())
+                .fold(0, |work, status| work + status.spent + status.revision),
+            panel: self.bench.panel(self.station),
             bus: self.bench.bus(),
             learnt: std::mem::take(&mut self.probe.bus),
             received: (received != shown || self.terminal.line_feeds)
@@ -353,6 +419,7 @@ impl Engine {
             console: self.as_shown(&shown),
             pending: self.bench.host_pending(self.line) + self.sender.len(),
             samples,
+            parts,
             frozen: self.frozen,
         }
     }

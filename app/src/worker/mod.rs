@@ -3,6 +3,7 @@
 pub mod engine;
 pub mod pacing;
 pub mod sender;
+pub mod units;
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -173,7 +174,10 @@ impl Host {
         let frame = Frame {
             number: self.sent,
             now: report.now,
+            unit: report.unit,
+            parts: report.parts,
             status: report.status,
+            work: report.work,
             reached: self.pacing.reached(wall, report.now),
             panel: report.panel,
             bus: report.bus,

@@ -222,7 +222,17 @@ const SETTINGS: &[Setting] = &[
         key: "keyboard",
         name: "Keyboard",
         place: "JP38 to JP45",
-        choices: Choices::Words(&[("Fitted", ""), ("None", "keyboard=no")]),
+        choices: Choices::Words(&[
+            ("Fitted", ""),
+            ("None", "keyboard=no"),
+            ("One for 2 units, with a selector", "units=2"),
+            ("One for 3 units, with a selector", "units=3"),
+            ("One for 4 units, with a selector", "units=4"),
+            ("One for 5 units, with a selector", "units=5"),
+            ("One for 6 units, with a selector", "units=6"),
+            ("One for 7 units, with a selector", "units=7"),
+            ("One for 8 units, with a selector", "units=8"),
+        ]),
     },
     Setting {
         key: "memory",
@@ -234,8 +244,8 @@ const SETTINGS: &[Setting] = &[
 
 #[cfg(test)]
 mod tests {
-    use super::super::Unidex3;
     use super::super::keys::{self, Stroke};
+    use super::super::{Unidex3, units};
     use super::*;
 
     fn letter(text: &str) -> Option<u8> {
@@ -285,7 +295,9 @@ mod tests {
                     .map(|word| word.split_once('=').unwrap())
                     .map(|(key, value)| (key.to_owned(), value.to_owned()))
                     .collect();
-                assert!(Unidex3::new(&given).is_ok(), "{options}");
+                for unit in units::units(&given).unwrap() {
+                    assert!(Unidex3::new(&unit).is_ok(), "{options}");
+                }
             }
         }
     }

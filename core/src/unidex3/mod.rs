@@ -3,8 +3,8 @@
 //! In reading order: `keys` and `panel` are the front panel, `display` its eight characters; `memory` keeps programs,
 //! `words` takes their text apart, `run` carries it out; `execute` is the firmware around it, `power` the self-test and
 //! resets; `line` and `remote` are the serial interface, `listing` what is printed, `status` and `trouble` what is told
-//! of errors; `indexer` is everything that makes pulses. `face`, `wiring` and `switches` are what a person meets around
-//! it.
+//! of errors; `indexer` is everything that makes pulses. `face`, `wiring`, `switches` and `units` are what a person meets
+//! around it.
 
 pub mod diagnose;
 mod display;
@@ -27,6 +27,7 @@ mod station;
 mod status;
 mod switches;
 mod trouble;
+pub mod units;
 pub mod wiring;
 mod words;
 

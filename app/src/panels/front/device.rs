@@ -10,6 +10,7 @@ use motionbench_core::controller::{Face, Keycap, Led, Panel};
 use super::hands::{Catcher, Hands, Key};
 use super::segments::Segments;
 use super::{Steps, Tray, joystick};
+use crate::protocol::ToWorker;
 use crate::state::{Device as State, Store};
 
 /// Places of the text display and of a tracking display, with its sign.
@@ -63,7 +64,10 @@ pub(super) fn Device(
             <div class="stand" on:focusin=move |_| store.pressing.set(true)
                 on:focusout=move |_| store.pressing.set(false)>
                 <div class="device" role="group" aria-label="Unidex IIIa" node_ref=device on:mousedown=press>
-                    <p class="brand-plate" aria-hidden="true">"UNIDEX "<span>"IIIa"</span></p>
+                    <div class="plate">
+                        <p class="brand" aria-hidden="true">"UNIDEX "<span>"IIIa"</span></p>
+                        <Selector store />
+                    </div>
                     <div class="text-display">
                         <Segments places=TEXT shows=Signal::derive(move || shown.with(|panel| panel.display.clone())) />
                     </div>
@@ -83,6 +87,29 @@ pub(super) fn Device(
             {move || beside().map(|beside| view! { <aside class="tray">{beside}</aside> })}
             <Note store shown />
         </div>
+    }
+}
+
+/// The axis-pair selector, where the panel is one for several units.
+#[component]
+fn Selector(store: Store) -> impl IntoView {
+    let units = Memo::new(move |_| store.device.with(|device| device.units));
+    let selected = Memo::new(move |_| store.device.with(|device| device.unit));
+    let place = move |unit: usize| {
+        let chosen = move || selected.get() == unit;
+        view! {
+            <button type="button" class="place" aria-pressed=move || chosen().to_string()
+                aria-label=format!("Axis pair {}", unit + 1)
+                on:click=move |_| store.send(ToWorker::Select(unit))>{unit + 1}</button>
+        }
+    };
+    view! {
+        <Show when=move || { units.get() > 1 }>
+            <div class="selector" role="group" aria-label="Axis-pair selector">
+                <span aria-hidden="true">"AXIS PAIR"</span>
+                {move || (0..units.get()).map(place).collect_view()}
+            </div>
+        </Show>
     }
 }
 
@@ -231,9 +258,12 @@ fn words(led: Led) -> &'static str {
 #[component]
 fn Note(store: Store, shown: Shown) -> impl IntoView {
     let note = Memo::new(move |_| {
-        let off = store.device.with(|device| !State::is_on(device));
+        let (starts, off) = store
+            .device
+            .with(|device| (device.panel.is_none(), !State::is_on(device)));
         let remote = shown.with(|panel| led(panel, "LOCAL") == Led::Off);
         match (off, remote) {
+            _ if starts => "",
             (true, _) => "The unit is off: Power switches it on.",
             (_, true) => "The line has the unit: RMT gives it back to the panel.",
             _ => "",

@@ -14,6 +14,7 @@ pub(super) fn Rear(store: Store, face: &'static Face) -> impl IntoView {
     Effect::new(move |_| draft.set(store.settings.get()));
     let same = Memo::new(move |_| draft.with(|draft| store.settings.with(|set| draft == set)));
     let usual = Memo::new(move |_| draft.with(Settings::is_empty));
+    let several = move || draft.with(front::are_several);
     let setting = move |setting: &'static Setting| match setting.choices {
         Choices::Words(words) => view! { <Words draft setting words /> }.into_any(),
         Choices::Binary(binary) => view! { <Switches draft setting binary /> }.into_any(),
@@ -22,7 +23,12 @@ pub(super) fn Rear(store: Store, face: &'static Face) -> impl IntoView {
         <div class="rear">
             <div class="rear-settings">{face.settings.iter().map(setting).collect_view()}</div>
             <div class="rear-foot">
-                <p class="muted">"Set with the power off: the unit goes off and on again. Programs stay."</p>
+                <p class="muted">
+                    "Set with the power off: the unit goes off and on again. Programs stay. "
+                    <Show when=several>
+                        "All units are set like this one; their addresses count on from its, and the last ends the chain."
+                    </Show>
+                </p>
                 <button type="button" class="button" disabled=usual on:click=move |_| draft.set(Settings::new())>
                     "As it came"
                 </button>

@@ -247,7 +247,7 @@ fn a_new_simulator_is_seen_as_the_last_one_was() {
     let mut scope = moved();
     scope.remove("velocity");
     scope.follow(Follow::Newest);
-    scope.start(&signals());
+    scope.start(&signals(), 1);
     assert_eq!((scope.strips().len(), scope.view()), (2, None));
     scope.take(&samples(0, &[3.0; 10]), false);
     assert_eq!(scope.follows(), Follow::Newest);

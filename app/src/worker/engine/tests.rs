@@ -249,3 +249,89 @@ fn a_file_that_is_being_sent_can_be_cancelled_and_is_forgotten_by_a_stop() {
     assert!(after(&mut engine, &[send()], 100).pending > 5000);
     assert!(after(&mut engine, &[Stop], 100).pending == 0);
 }
+
+/// Three units behind one panel, each with its message of a cleared memory put away.
+fn panel_of_three() -> Engine {
+    let mut engine = Engine::new("unidex3 units=3 memory=28k").unwrap();
+    after(&mut engine, &[], 6000);
+    engine
+}
+
+fn keys(names: &str) -> Vec<ToWorker> {
+    let stroke = |name: &str, down| ToWorker::Key {
+        key: name.to_owned(),
+        down,
+    };
+    let names = names.split(' ');
+    names
+        .flat_map(|name| [stroke(name, true), stroke(name, false)])
+        .collect()
+}
+
+#[test]
+fn the_panel_and_what_is_told_are_those_of_the_selected_unit() {
+    let mut engine = panel_of_three();
+    assert_eq!(engine.ready().units, 3);
+    let [first, second] = [0, 1].map(ToWorker::Select);
+    let mut type_to = |unit: ToWorker, names: &str| {
+        after(&mut engine, &[unit], 100);
+        for key in keys(names) {
+            after(&mut engine, &[key], 60);
+        }
+        after(&mut engine, &[], 1000)
+    };
+    let one = type_to(first, "IMD X 1 0 EXC");
+    let two = type_to(second, "SLW");
+    let x = |report: &Report| report.panel.as_ref().unwrap().tracking[0].1.clone();
+    assert_eq!((one.unit, x(&one).as_str()), (0, "10"));
+    assert_eq!((two.unit, x(&two).as_str()), (1, "0"));
+    assert_eq!(two.panel.unwrap().display.trim(), "SLEW");
+    assert_eq!(two.parts.len(), 3);
+    assert!(two.parts.iter().all(|part| *part == two.parts[0]));
+    assert_eq!(two.parts.iter().sum::<usize>(), two.samples.len());
+    let back = type_to(ToWorker::Select(0), "CE");
+    assert_eq!(x(&back), "10");
+    let none = type_to(ToWorker::Select(3), "CE");
+    assert_eq!(none.unit, 0, "there is no fourth");
+}
+
+#[test]
+fn what_each_unit_holds_outlives_the_simulator() {
+    let mut engine = panel_of_three();
+    for unit in 0..3 {
+        engine.act(&ToWorker::Select(unit));
+        let text = format!("X{unit}");
+        let loaded = engine.act(&ToWorker::Load { text, start: false });
+        assert!(matches!(loaded, Some(FromWorker::Loaded(Ok(_)))));
+    }
+    let Some(FromWorker::Kept(memory)) = engine.act(&ToWorker::Keep) else {
+        panic!("it has changed");
+    };
+    let mut again = panel_of_three();
+    again.act(&ToWorker::Restore(memory));
+    for unit in 0..3 {
+        again.act(&ToWorker::Select(unit));
+        let Some(FromWorker::Listing { text, .. }) = again.act(&ToWorker::Take) else {
+            panic!("a unit has a program");
+        };
+        assert!(text.contains(&format!("X{unit}")), "{text}");
+    }
+}
+
+#[test]
+fn a_program_of_any_unit_that_is_held_holds_everything() {
+    let mut engine = panel_of_three();
+    engine.act(&ToWorker::Select(2));
+    let text = "G91 *\nX1000 F100 *\nX1000 F100 *".to_owned();
+    engine.act(&ToWorker::Load { text, start: false });
+    engine.act(&ToWorker::Breakpoints(vec![1]));
+    for key in keys("AUT 0 1 EXC") {
+        after(&mut engine, &[key], 60);
+    }
+    engine.act(&ToWorker::Select(0));
+    assert!(after(&mut engine, &[], 3000).frozen);
+    let report = after(&mut engine, &[ToWorker::Freeze(false)], 100);
+    assert!(!report.frozen);
+    let third = after(&mut engine, &[ToWorker::Select(2)], 100);
+    assert!(third.status.moving);
+}
