@@ -241,7 +241,8 @@ pub struct Status {
     pub power: bool,
     /// What the program does.
     pub run: RunState,
-    /// The device's line that runs or would run next, where the device has lines.
+    /// The device's line that runs or would run next, where the device has lines; of several programs, only in that of
+    /// [`ControllerInfo::program_slot`].
     pub line: Option<u32>,
     /// Statements have spent this much firmware time since power-up: names a place in the run.
     pub spent: u64,

@@ -116,7 +116,17 @@ impl Device {
 
     /// Whether there is a next statement to run.
     pub fn can_step(&self) -> bool {
-        self.running_line().is_some()
+        let run = self.status.as_ref().map(|status| status.run);
+        self.runs_program() && run != Some(RunState::Command)
+    }
+
+    /// A program, or a command of the console that is held, is under way.
+    fn runs_program(&self) -> bool {
+        use Activity::{Paused, Running, WaitingForInput, WaitingForOutput};
+        matches!(
+            self.activity(),
+            Running | WaitingForInput | WaitingForOutput | Paused
+        )
     }
 
     /// What the program does.
@@ -140,13 +150,7 @@ impl Device {
 
     /// The program line that runs, where one does.
     pub fn running_line(&self) -> Option<u32> {
-        match self.activity() {
-            Activity::Running
-            | Activity::WaitingForInput
-            | Activity::WaitingForOutput
-            | Activity::Paused => self.status.as_ref()?.line,
-            _ => None,
-        }
+        self.status.as_ref().filter(|_| self.runs_program())?.line
     }
 
     /// Why nothing goes on, where that is so; otherwise empty.

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::firmware::{CODEWORD, CREDIT_A_SAMPLE, JUMP, SAMPLE, text};
 use super::indexer::Event;
+use super::memory::DEFAULT_PROGRAM;
 use super::run::{Flow, Kind, Run, Wait, World};
 use super::trouble::{Errors, Trouble};
 use super::{Busy, Link, Unidex3};
@@ -361,9 +362,11 @@ impl Unidex3 {
         }
     }
 
-    /// The block of the running program, from 1: ends of block before it, and one.
+    /// The block that runs, from 1: ends of block before it, and one. Only of the program that is loaded and listed where
+    /// none is named: breakpoints are not in others.
     pub(super) fn device_line(&self) -> Option<u32> {
-        self.executing.then(|| line_of(&self.run))
+        let is_meant = self.run.place.number == Some(DEFAULT_PROGRAM);
+        (self.executing && is_meant).then(|| line_of(&self.run))
     }
 }
 

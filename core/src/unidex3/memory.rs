@@ -8,6 +8,8 @@ use std::rc::Rc;
 
 use super::firmware::END_OF_FILE;
 
+/// The program that is loaded and listed where none is named.
+pub const DEFAULT_PROGRAM: u8 = 1;
 /// Bytes that hold no programs.
 const HEADER: usize = 32;
 /// Bytes that a program takes besides its characters.

@@ -2,6 +2,7 @@
 
 use super::firmware::SAMPLE;
 use super::indexer::{Axis, AxisSignals, FAULTS, Indexer};
+use super::memory::DEFAULT_PROGRAM;
 use super::panel::{Edit, Mode};
 use super::run::{Register, Wait};
 use super::trouble::Trouble;
@@ -21,8 +22,6 @@ const MEMORY_VERSION: u32 = 1;
 /// In front of a program's number.
 const PROGRAM_ITEM: &str = "PROGRAM ";
 const SETTINGS_ITEM: &str = "SETTINGS";
-/// The program that a bare `load` means.
-const DEFAULT_PROGRAM: u8 = 1;
 /// Faults of the unit itself.
 const OWN_FAULTS: [&str; 5] = ["rom", "sram", "uram", "battery", "internal"];
 /// The RTS line of the unit behind in the daisy chain.

@@ -335,3 +335,25 @@ fn a_program_of_any_unit_that_is_held_holds_everything() {
     let third = after(&mut engine, &[ToWorker::Select(2)], 100);
     assert!(third.status.moving);
 }
+
+#[test]
+fn a_breakpoint_is_in_the_program_of_the_editor_alone() {
+    let mut engine = Engine::new("unidex3").unwrap();
+    after(&mut engine, &[], 6000);
+    let text = "G91 *\nX1 F100 *\nX1000 F100 *".to_owned();
+    engine.act(&ToWorker::Load { text, start: false });
+    engine.act(&ToWorker::Breakpoints(vec![2]));
+    let mut press = |names: &str| {
+        for key in keys(names) {
+            after(&mut engine, &[key], 60);
+        }
+        after(&mut engine, &[], 1000)
+    };
+    let other = press("EDT 0 7 EXC G 9 1 * X 5 0 0 F 1 0 0 * M 2 * AUT EXC");
+    assert!(other.status.moving && !other.frozen);
+    assert_eq!(other.status.line, None);
+    press("RES");
+    let own = press("AUT 0 1 EXC");
+    assert!(own.frozen);
+    assert_eq!(own.status.line, Some(2));
+}
