@@ -1,60 +1,18 @@
 //! Lets time pass for a scenario: samples are folded, scheduled statements are performed, checkpoints are taken.
 
-use crate::bench::Bench;
 use crate::controller::{RunState, Status, Value};
 use crate::exec::Wait;
 use crate::time::Nanos;
 
-use super::bus::BusOutput;
+use super::MOST_OUTPUT;
 use super::condition::Condition;
 use super::console::{Reader, find};
-use super::report::Digest;
-use super::run::{Failure, Runner};
-use super::statement::Statement;
+use super::runner::{Checkpoint, Failure, Runner};
 use super::text::show_time;
-use super::watch::{Fold, Source};
-use super::{MOST_OUTPUT, MOST_SCHEDULED};
+use super::watch::Source;
 
 /// Checkpoints that are kept, whatever `rewind` needs.
 const MOST_CHECKPOINTS: usize = 256;
-
-/// Everything that `rewind` takes back, but for what is only cut off: the consoles' output.
-#[derive(Debug, Clone)]
-pub(super) struct State<'a> {
-    pub(super) bench: Bench,
-    /// Per station: when it was last switched on; `None` while it is off.
-    pub(super) powered: Vec<Option<Nanos>>,
-    /// Per station: when its next sample is due, by which one that has been taken is noticed.
-    due: Vec<Nanos>,
-    /// Per host line.
-    pub(super) readers: Vec<Reader>,
-    /// Per watch.
-    pub(super) folds: Vec<Fold>,
-    /// In order of time, and at the same time in the order they were scheduled.
-    pub(super) schedule: Vec<(Nanos, Scheduled<'a>)>,
-    /// What the controller of the IEEE-488 bus has learnt.
-    pub(super) bus: BusOutput,
-    pub(super) digest: Digest,
-}
-
-/// What is done at a moment to come.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Scheduled<'a> {
-    Statement(&'a Statement),
-    /// A held key is let go.
-    Release {
-        station: usize,
-        key: &'a str,
-    },
-}
-
-/// A place that `rewind` can start from.
-#[derive(Debug)]
-pub(super) struct Checkpoint<'a> {
-    state: State<'a>,
-    /// Bytes of each host line's output.
-    lengths: Vec<usize>,
-}
 
 /// What time passes for.
 #[derive(Debug)]
@@ -82,33 +40,6 @@ pub(super) enum Goal<'t> {
         source: Source,
         value: Option<Value>,
     },
-}
-
-impl<'a> State<'a> {
-    pub(super) fn new(watches: usize) -> State<'a> {
-        State {
-            bench: Bench::new(),
-            powered: Vec::new(),
-            due: Vec::new(),
-            readers: Vec::new(),
-            folds: vec![Fold::default(); watches],
-            schedule: Vec::new(),
-            bus: BusOutput::default(),
-            digest: Digest::new(),
-        }
-    }
-
-    /// Puts something on the schedule.
-    pub(super) fn schedule(&mut self, at: Nanos, what: Scheduled<'a>) -> Result<(), String> {
-        if self.schedule.len() >= MOST_SCHEDULED {
-            return Err(format!(
-                "at most {MOST_SCHEDULED} statements wait for their time"
-            ));
-        }
-        let place = self.schedule.partition_point(|&(other, _)| other <= at);
-        self.schedule.insert(place, (at, what));
-        Ok(())
-    }
 }
 
 /// Why a station is not idle, in words; `None` if it is.

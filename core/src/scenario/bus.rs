@@ -1,42 +1,13 @@
 //! `bus ieee488 ...`: what is asked of the controller of the bus, and what it must have learnt.
 
 use crate::bench::BusWait;
-use crate::ieee488::{LAST_ADDRESS, Order, Report};
+use crate::ieee488::{LAST_ADDRESS, Order};
 use crate::time::Nanos;
 
-use super::MOST_OUTPUT;
 use super::advance::Goal;
-use super::run::{Done, Runner};
+use super::runner::{Done, Runner};
 use super::statement::{Action, BusAction};
 use super::text::{Line, number, show, show_time};
-
-/// What the controller has learnt, as far as no statement has asked for it.
-#[derive(Debug, Clone, Default)]
-pub(super) struct BusOutput {
-    bytes: Vec<u8>,
-    /// The last of them came with EOI.
-    ended: bool,
-    /// Of the last poll; `None` if no one answered.
-    polled: Option<u8>,
-}
-
-impl BusOutput {
-    pub(super) fn hear(&mut self, report: Report) -> Done {
-        match report {
-            Report::Data(byte, end) => {
-                self.bytes.push(byte);
-                self.ended = end;
-                if self.bytes.len() > MOST_OUTPUT {
-                    let message = "the bus has brought more than a scenario keeps";
-                    return Err(message.to_owned().into());
-                }
-            }
-            Report::SerialPoll(_, status) => self.polled = status,
-            Report::ParallelPoll(bits) => self.polled = Some(bits),
-        }
-        Ok(())
-    }
-}
 
 /// Reads the statement behind `bus`.
 pub(super) fn action(line: &mut Line<'_>) -> Result<Action, String> {

@@ -14,6 +14,7 @@ mod panel;
 mod parse;
 mod report;
 mod run;
+mod runner;
 mod statement;
 mod station;
 mod text;

@@ -3,7 +3,7 @@
 use crate::catalog;
 use crate::controller::{Led, Panel};
 
-use super::run::{Done, Failure, Runner};
+use super::runner::{Done, Failure, Runner};
 use super::text::show;
 use crate::language::latin1;
 

@@ -1,14 +1,12 @@
 //! Performs a scenario's statements, one function a group.
 
-use std::collections::{BTreeMap, VecDeque};
-
 use crate::controller::{Controller, Input};
-use crate::probe::Probe;
 use crate::time::Nanos;
 
-use super::advance::{Checkpoint, Goal, Scheduled, State};
+use super::advance::Goal;
 use super::console::NoReply;
 use super::report::{Outcome, Report};
+use super::runner::{Done, Failure, Runner, Scheduled};
 use super::statement::{Action, LineSetting, Statement};
 use super::text::{show, show_time};
 use super::watch::Source;
@@ -48,69 +46,7 @@ pub(super) fn run(scenario: &Scenario, limits: Limits, read: &mut ReadFile<'_>) 
     }
 }
 
-/// What did not hold.
-#[derive(Debug)]
-pub(super) struct Failure {
-    /// Zero until the statement is known.
-    pub(super) line: u32,
-    pub(super) message: String,
-}
-
-impl From<String> for Failure {
-    fn from(message: String) -> Failure {
-        Failure { line: 0, message }
-    }
-}
-
-impl Failure {
-    fn at(mut self, line: u32) -> Failure {
-        if self.line == 0 {
-            self.line = line;
-        }
-        self
-    }
-}
-
-/// How a statement came out.
-pub(super) type Done = Result<(), Failure>;
-
-/// A scenario that is running.
-pub(super) struct Runner<'a> {
-    pub(super) scenario: &'a Scenario,
-    pub(super) limits: Limits,
-    /// What it mentions, by name.
-    pub(super) files: BTreeMap<&'a str, Vec<u8>>,
-    pub(super) state: State<'a>,
-    pub(super) probe: Probe,
-    /// Per host line, all that it received.
-    pub(super) outputs: Vec<Vec<u8>>,
-    pub(super) checkpoints: VecDeque<Checkpoint<'a>>,
-    /// Per watch, from when its station is on the bench.
-    pub(super) sources: Vec<Option<Source>>,
-    /// The signals of the station that was recorded last.
-    pub(super) row: Vec<f64>,
-    executed: u64,
-    /// What `file get` took.
-    pub(super) taken: Vec<(String, Vec<u8>)>,
-}
-
 impl<'a> Runner<'a> {
-    fn new(scenario: &'a Scenario, limits: Limits) -> Runner<'a> {
-        Runner {
-            scenario,
-            limits,
-            files: BTreeMap::new(),
-            state: State::new(scenario.watches.len()),
-            probe: Probe::default(),
-            outputs: Vec::new(),
-            checkpoints: VecDeque::new(),
-            sources: vec![None; scenario.watches.len()],
-            row: Vec::new(),
-            executed: 0,
-            taken: Vec::new(),
-        }
-    }
-
     fn read_files(&mut self, statements: &'a [Statement], read: &mut ReadFile<'_>) -> Done {
         for statement in statements {
             let file = match &statement.action {

@@ -5,9 +5,9 @@ use crate::controller::{Input, LoadError, Slot, Value};
 use crate::language::latin1;
 use crate::time::Nanos;
 
-use super::advance::{Goal, Scheduled};
+use super::advance::Goal;
 use super::condition::{Condition, show_value};
-use super::run::{Done, Failure, Runner};
+use super::runner::{Done, Failure, Runner, Scheduled};
 use super::statement::Statement;
 use super::text::{show, show_time};
 use super::watch::{Fold, Source};
