@@ -204,6 +204,43 @@ pub struct Frame {
     pub frozen: bool,
 }
 
+#[cfg(test)]
+impl Frame {
+    /// The first frame of a controller that is switched on and does this, in line 20.
+    pub(crate) fn first(run: motionbench_core::controller::RunState) -> Frame {
+        let status = Status {
+            power: true,
+            run,
+            line: Some(20),
+            spent: 0,
+            unread: 0,
+            unsent: 0,
+            moving: false,
+            enabled: true,
+            fault: None,
+            at_prompt: false,
+            error: None,
+            revision: 1,
+        };
+        Frame {
+            number: 1,
+            now: Nanos::from_millis(1500),
+            unit: 0,
+            parts: Vec::new(),
+            status,
+            work: 0,
+            reached: 1.0,
+            panel: None,
+            bus: None,
+            learnt: Vec::new(),
+            console: String::new(),
+            received: None,
+            pending: 0,
+            frozen: false,
+        }
+    }
+}
+
 /// What a worker is told by its name: the kind of controller, and its options as in a scenario.
 pub fn bench_name(kind: &str, options: &[(String, String)]) -> String {
     let words = options.iter().map(|(key, value)| format!(" {key}={value}"));

@@ -8,9 +8,8 @@ use leptos::mount::mount_to;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use motionbench_core::catalog::kind;
-use motionbench_core::controller::{self, Led, RunState, Signal, Status};
+use motionbench_core::controller::{self, Led, RunState, Signal};
 use motionbench_core::serial::LineSettings;
-use motionbench_core::time::Nanos;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 use web_sys::{Element, Event, HtmlElement, PointerEvent};
 
@@ -101,35 +100,10 @@ impl Panel {
 
     /// The simulator tells what has happened.
     async fn frame(&self, number: u64, change: impl FnOnce(&mut Frame), samples: &[f64]) {
-        let status = Status {
-            power: true,
-            run: RunState::Running,
-            line: Some(20),
-            spent: 0,
-            unread: 0,
-            unsent: 0,
-            moving: false,
-            enabled: true,
-            fault: None,
-            at_prompt: false,
-            error: None,
-            revision: 1,
-        };
         let mut frame = Frame {
             number,
-            now: Nanos::from_millis(1500),
-            unit: 0,
             parts: vec![samples.len()],
-            status,
-            work: 0,
-            reached: 1.0,
-            panel: None,
-            bus: None,
-            learnt: Vec::new(),
-            console: String::new(),
-            received: None,
-            pending: 0,
-            frozen: false,
+            ..Frame::first(RunState::Running)
         };
         change(&mut frame);
         self.store.hear(&News::Frame(frame, samples.to_vec()));

@@ -229,37 +229,10 @@ mod tests {
     use crate::protocol::Frame;
 
     fn heard(run: RunState, power: bool) -> Device {
-        let status = Status {
-            power,
-            run,
-            line: Some(20),
-            spent: 0,
-            unread: 0,
-            unsent: 0,
-            moving: false,
-            enabled: false,
-            fault: None,
-            at_prompt: false,
-            error: None,
-            revision: 0,
-        };
+        let mut frame = Frame::first(run);
+        frame.status.power = power;
+        frame.status.enabled = false;
         let mut device = Device::default();
-        let frame = Frame {
-            number: 1,
-            now: Nanos::from_millis(5),
-            unit: 0,
-            parts: Vec::new(),
-            status,
-            work: 0,
-            reached: 1.0,
-            panel: None,
-            bus: None,
-            learnt: Vec::new(),
-            console: String::new(),
-            received: None,
-            pending: 0,
-            frozen: false,
-        };
         device.hear(&News::Frame(frame, Vec::new()));
         device
     }
