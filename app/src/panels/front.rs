@@ -155,6 +155,10 @@ pub(super) fn Help(face: &'static Face) -> impl IntoView {
         <p>"While it has the keyboard, letters, digits and signs press the keys that bear them, without SHIFT.
             Two fingers may hold two keys. Other keys:"</p>
         <dl class="keys-help">{hands::NAMED.map(row)}</dl>
+        <h3>"Several units"</h3>
+        <p>"The keyboard setting, at the rear, puts up to eight units behind this panel. Its axis-pair selector says
+            which of them has keys and displays, and which is seen in the scope, at inputs and outputs, in the editor.
+            All go on meanwhile, and hang on one line, each with its address."</p>
     }
 }
 

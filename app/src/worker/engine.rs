@@ -189,7 +189,7 @@ impl Engine {
             ToWorker::Break => self.bench.send_break(self.line),
             ToWorker::Cancel => self.cancel(),
             ToWorker::Keep => {
-                let held = self.units().map(|unit| unit.memory(Survives::Reload));
+                let held = self.stations().map(|unit| unit.memory(Survives::Reload));
                 let memory = units::join(held);
                 if memory != self.kept {
                     self.kept.clone_from(&memory);
@@ -306,7 +306,7 @@ impl Engine {
     }
 
     /// All stations.
-    fn units(&self) -> impl Iterator<Item = &dyn Controller> {
+    fn stations(&self) -> impl Iterator<Item = &dyn Controller> {
         (0..self.bench.len()).filter_map(|unit| self.bench.station(unit))
     }
 
@@ -321,7 +321,7 @@ impl Engine {
 
     /// Whether the program of a unit is held.
     fn is_held(&self) -> bool {
-        self.units()
+        self.stations()
             .any(|unit| unit.status().run == RunState::Paused)
     }
 
@@ -408,7 +408,7 @@ impl Engine {
             unit: self.station,
             status: self.status(),
             work: self
-                .units()
+                .stations()
                 .map(|unit| unit.status())
                 .fold(0, |work, status| work + status.spent + status.revision),
             panel: self.bench.panel(self.station),

@@ -11,7 +11,7 @@ use super::hands::{Catcher, Hands, Key};
 use super::segments::Segments;
 use super::{Steps, Tray, joystick};
 use crate::protocol::ToWorker;
-use crate::state::{Device as State, Store};
+use crate::state::Store;
 
 /// Places of the text display and of a tracking display, with its sign.
 const TEXT: usize = 8;
@@ -65,7 +65,7 @@ pub(super) fn Device(
                 on:focusout=move |_| store.pressing.set(false)>
                 <div class="device" role="group" aria-label="Unidex IIIa" node_ref=device on:mousedown=press>
                     <div class="plate">
-                        <p class="brand" aria-hidden="true">"UNIDEX "<span>"IIIa"</span></p>
+                        <p class="brand-plate" aria-hidden="true">"UNIDEX "<span>"IIIa"</span></p>
                         <Selector store />
                     </div>
                     <div class="text-display">
@@ -258,12 +258,12 @@ fn words(led: Led) -> &'static str {
 #[component]
 fn Note(store: Store, shown: Shown) -> impl IntoView {
     let note = Memo::new(move |_| {
-        let (starts, off) = store
-            .device
-            .with(|device| (device.panel.is_none(), !State::is_on(device)));
-        let remote = shown.with(|panel| led(panel, "LOCAL") == Led::Off);
+        let (off, lit) = store.device.with(|device| {
+            let off = device.status.is_some() && !device.is_on();
+            (off, device.panel.is_some())
+        });
+        let remote = lit && shown.with(|panel| led(panel, "LOCAL") == Led::Off);
         match (off, remote) {
-            _ if starts => "",
             (true, _) => "The unit is off: Power switches it on.",
             (_, true) => "The line has the unit: RMT gives it back to the panel.",
             _ => "",
