@@ -17,6 +17,47 @@ pub(super) fn after(wait: Duration, act: impl Fn() + 'static) -> impl Fn() + Clo
     once(act, move |call| set_timeout(call, wait))
 }
 
+/// Returns a function to call at each of some events. As long as there are any, `tell` is told after each `wait` how many
+/// there were meanwhile; the last time, that there was none.
+pub(super) fn count(wait: Duration, tell: impl Fn(u32) + 'static) -> impl Fn() + Clone + 'static {
+    let counter = Rc::new(Counter {
+        wait,
+        events: Cell::new(0),
+        waits: Cell::new(false),
+        tell: Box::new(tell),
+    });
+    move || {
+        counter.events.set(counter.events.get() + 1);
+        if !counter.waits.replace(true) {
+            counter.clone().go_on();
+        }
+    }
+}
+
+struct Counter {
+    wait: Duration,
+    events: Cell<u32>,
+    waits: Cell<bool>,
+    tell: Box<dyn Fn(u32)>,
+}
+
+impl Counter {
+    fn go_on(self: Rc<Counter>) {
+        let wait = self.wait;
+        set_timeout(
+            move || {
+                let events = self.events.take();
+                (self.tell)(events);
+                match events {
+                    0 => self.waits.set(false),
+                    _ => self.go_on(),
+                }
+            },
+            wait,
+        );
+    }
+}
+
 fn once(
     act: impl Fn() + 'static,
     arrange: impl Fn(Box<dyn FnOnce()>) + Clone + 'static,

@@ -25,8 +25,11 @@ use crate::state::terminal::{Looks, Row};
 
 /// More new rows than this in one drawing are too fast to be read: only the screen is drawn until they are fewer.
 const FLOOD: u64 = 100;
-/// The rows that were not drawn, and what a screen reader says, come after so long.
+/// The rows that were not drawn, and what a screen reader says, come when nothing was printed for so long.
 const CALM: Duration = Duration::from_millis(200);
+/// Text that goes on for so many times [`CALM`] is a stream: of a thousand rows the browser would move each with each new
+/// one.
+const STREAM: u32 = 5;
 /// The height of a row, rem, as in the style sheet.
 const ROW_REM: f64 = 1.25;
 /// A line with fewer characters shows no one what a line looks like.
@@ -50,6 +53,15 @@ pub(super) fn Terminal(store: Store) -> impl IntoView {
     };
     keys.on_load(move |_| request_animation_frame(focus));
     let keydown = move |event: KeyboardEvent| press(store, &event, screen, &focus);
+    // The user looks at what was printed before.
+    let looks_back = RwSignal::new(false);
+    let scrolled = move |_| {
+        let above = screen.get_untracked().map(|screen| screen.scroll_top());
+        let back = above.is_some_and(|above| above < 0);
+        if back != looks_back.get_untracked() {
+            looks_back.set(back);
+        }
+    };
     // A click gives it the keyboard, unless text was selected.
     let mouseup = move |_| {
         if !has_selection() {
@@ -66,8 +78,8 @@ pub(super) fn Terminal(store: Store) -> impl IntoView {
                 <tools::Tools store />
             </header>
             <tools::Notices store />
-            <div class="screen" node_ref=screen tabindex="-1" on:keydown=keydown on:mouseup=mouseup>
-                <Screen store screen />
+            <div class="screen" node_ref=screen tabindex="-1" on:keydown=keydown on:mouseup=mouseup on:scroll=scrolled>
+                <Screen store screen looks_back />
                 <KeyCatcher store keys />
             </div>
             <Spoken store />
@@ -126,30 +138,41 @@ fn scroll_to_end(screen: NodeRef<html::Div>) {
 
 /// The rows.
 #[component]
-fn Screen(store: Store, screen: NodeRef<html::Div>) -> impl IntoView {
+fn Screen(store: Store, screen: NodeRef<html::Div>, looks_back: RwSignal<bool>) -> impl IntoView {
     let rows = RwSignal::new(Vec::new());
     // Rows that are not drawn.
     let above = RwSignal::new(0_usize);
     let ever = StoredValue::new(0);
+    // For how many times `CALM` text has come.
+    let lasts = StoredValue::new(0);
     let draw = draw::before_paint(move || {
         let drawn = ever.get_value();
+        let streams = lasts.get_value() >= STREAM;
+        let at_end = streams && !looks_back.get_untracked() && !has_selection();
         store.with_terminal(|terminal| {
             ever.set_value(terminal.ever());
             // A screen that shrinks may have fewer rows than before.
             let flood = terminal.ever().saturating_sub(drawn) > FLOOD;
-            above.set(if flood { terminal.above() } else { 0 });
-            rows.set(if flood {
-                terminal.screen()
-            } else {
-                terminal.rows()
+            let hidden = if flood || at_end { terminal.above() } else { 0 };
+            above.set(hidden);
+            rows.set(match flood {
+                true => terminal.screen(),
+                false => terminal.rows().into_iter().skip(hidden).collect(),
             });
         });
     });
-    let catch_up = draw::after(CALM, draw.clone());
+    let count = draw::count(CALM, {
+        let draw = draw.clone();
+        move |printed| {
+            lasts.update_value(|lasts| *lasts = if printed == 0 { 0 } else { *lasts + 1 });
+            draw();
+        }
+    });
     Effect::new(move |_| {
         store.printed.track();
+        looks_back.track();
         draw();
-        catch_up();
+        count();
     });
     let ruler = NodeRef::<html::Span>::new();
     screen.on_load(move |screen| {
