@@ -58,9 +58,24 @@ siteTest("a busy program, a streaming terminal and four live traces leave time",
   await page.keyboard.type("10 MDRVEN() : MSPEED(34952)\n20 PRINT \"POSITION\"; GV_FEEDBACK%\n30 GOTO 20\nRUN\n");
   await page.getByText("axis moves", { exact: true }).waitFor();
   await page.getByRole("combobox", { name: "What the picture shows" }).selectOption("newest");
-  await page.waitForTimeout(1000);
+  // It has printed so long that the oldest lines are forgotten.
+  const speed = page.getByRole("combobox", { name: "Simulation speed" });
+  await speed.selectOption("max");
+  const height = () => page.locator(".rows").evaluate((rows) => rows.getBoundingClientRect().height);
+  await eventually("a thousand lines are there", async () => (await height()) > 20_000 || (await height()));
+  await speed.selectOption({ label: "1×" });
+  await page.waitForTimeout(2000);
   await paints(page, 55);
   const { all } = await busy(page, 3);
   await shot("busy-page");
   assert.ok(all <= 8, `${all} ms of the main thread a frame`);
+  // Whoever looks back sees all of it, and all is there when it is calm.
+  const rows = () => page.locator(".row").count();
+  await page.locator(".screen").hover();
+  await page.mouse.wheel(0, -2000);
+  await eventually("what was printed before is there", async () => (await rows()) > 1000 || (await rows()));
+  await page.mouse.wheel(0, 3000);
+  await eventually("the screen alone is drawn", async () => (await rows()) < 100 || (await rows()));
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await eventually("all rows are there", async () => (await rows()) > 1000 || (await rows()));
 });
