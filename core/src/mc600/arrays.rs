@@ -27,9 +27,9 @@ pub struct Array {
 /// Elements in the order of the last subscript first; behind `Rc`, so that a checkpoint shares them.
 #[derive(Debug, Clone)]
 enum Elements {
-    Real(Rc<Vec<f64>>),
-    Integer(Rc<Vec<i32>>),
-    Text(Rc<Vec<Text>>),
+    Real(Rc<[f64]>),
+    Integer(Rc<[i32]>),
+    Text(Rc<[Text]>),
 }
 
 impl Array {
@@ -71,9 +71,9 @@ impl Array {
             return Err(ErrorCode::OutOfMemory);
         }
         self.elements = match self.kind {
-            VariableKind::Real => Elements::Real(Rc::new(vec![0.0; count])),
-            VariableKind::Integer => Elements::Integer(Rc::new(vec![0; count])),
-            VariableKind::String => Elements::Text(Rc::new(vec![Text::new(); count])),
+            VariableKind::Real => Elements::Real(vec![0.0; count].into()),
+            VariableKind::Integer => Elements::Integer(vec![0; count].into()),
+            VariableKind::String => Elements::Text(vec![Text::new(); count].into()),
         };
         self.sizes = sizes;
         Ok(())
@@ -125,19 +125,25 @@ impl Array {
         }
     }
 
-    /// Sets the number at one subscript; false, and nothing done, where that needs more than a store.
+    /// Sets the number at one subscript; false, and nothing done, where that needs more than a store: a checkpoint may
+    /// share the elements.
     #[inline(always)]
     pub fn set_number_at(&mut self, at: f64, value: f64) -> bool {
         let Some(index) = self.place(at) else {
             return false;
         };
         match &mut self.elements {
-            Elements::Real(elements) => match Rc::make_mut(elements).get_mut(index) {
-                Some(element) => *element = value,
-                None => return false,
-            },
+            Elements::Real(elements) => {
+                let elements = Rc::get_mut(elements);
+                match elements.and_then(|elements| elements.get_mut(index)) {
+                    Some(element) => *element = value,
+                    None => return false,
+                }
+            }
             Elements::Integer(elements) => {
-                match (Rc::make_mut(elements).get_mut(index), to_integer(value)) {
+                let elements = Rc::get_mut(elements);
+                let element = elements.and_then(|elements| elements.get_mut(index));
+                match (element, to_integer(value)) {
                     (Some(element), Ok(value)) => *element = value,
                     _ => return false,
                 }
@@ -200,7 +206,6 @@ impl Array {
     ///
     /// # Errors
     /// ILLEGAL QUANTITY for what an integer array cannot hold.
-    #[inline(always)]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // an index made by this array
     pub fn set_number(&mut self, index: f64, value: f64) -> Result<(), ErrorCode> {
         match &mut self.elements {
@@ -221,7 +226,7 @@ impl Array {
     }
 
     /// The elements of an integer array of one dimension, for a cam.
-    pub fn table(&self) -> Option<&Rc<Vec<i32>>> {
+    pub fn table(&self) -> Option<&Rc<[i32]>> {
         match &self.elements {
             Elements::Integer(elements) if self.sizes.len() == 1 => Some(elements),
             _ => None,

@@ -10,7 +10,7 @@ use crate::random::Random;
 
 fn cam(machine: &mut Machine, table: &[i32], command: MotionCommand) {
     machine.set(SysVar::CmNum, table.len() as i32);
-    machine.lay_table(Rc::new(table.to_vec()));
+    machine.lay_table(Rc::from(table));
     machine.command(command);
 }
 
@@ -136,7 +136,7 @@ fn camhard_is_connected_at_once_and_tables_change_on_the_fly() {
     machine.wire("encoder.counts", 1000.0).unwrap();
     machine.sample();
     assert_eq!(machine.get(SysVar::SlPosDemand), 100);
-    machine.lay_table(Rc::new(vec![0, 150, 0, 0]));
+    machine.lay_table(Rc::from([0, 150, 0, 0]));
     machine.command(MotionCommand::Cam);
     machine.sample();
     assert_eq!(

@@ -1,7 +1,5 @@
 //! Whatever a program orders, and whatever happens outside, the machine goes on.
 
-use std::rc::Rc;
-
 use motionbench_core::mc600::keywords::{self, Keyword};
 use motionbench_core::mc600::machine::Machine;
 use motionbench_core::mc600::motion_calls;
@@ -66,9 +64,7 @@ fn disturb(machine: &mut Machine, random: &mut Random) {
         2 => machine.write_object(0x3500 + random.below(0x1C0) as i32, number(random)),
         3 => drop(machine.read_object(number(random))),
         4 => machine.set_up_interrupt(10, random.below(19) as u8, random.below(4) as u8),
-        _ => machine.lay_table(Rc::new(
-            (0..random.below(50)).map(|_| number(random)).collect(),
-        )),
+        _ => machine.lay_table((0..random.below(50)).map(|_| number(random)).collect()),
     }
 }
 

@@ -15,7 +15,7 @@ use crate::motion::ramp::{next_velocity_to_speed, next_velocity_to_target};
 const POWER_UP_POINTS: i32 = 360;
 
 /// The points of a cam in counts of the axis.
-pub type Table = Rc<Vec<i32>>;
+pub type Table = Rc<[i32]>;
 
 /// How the axis is connected to the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
