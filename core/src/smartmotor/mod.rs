@@ -151,9 +151,9 @@ impl SmartMotor {
             ("echo", "yes" | "no") => self.echo = value == "yes",
             ("echo", _) => return Err("echo is yes or no".to_owned()),
             ("without", word) => {
-                let row = keywords::row(word)
+                let known = keywords::find(word)
                     .ok_or_else(|| format!("smartmotor has no keyword '{word}'"))?;
-                self.without = Some(row.word);
+                self.without = Some(known);
             }
             _ => {
                 let known: Vec<&str> = OPTIONS.iter().map(|option| option.key).collect();

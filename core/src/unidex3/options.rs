@@ -164,9 +164,9 @@ impl Options {
             }
             "format" => self.set_format(value)?,
             "without" => {
-                let row = keywords::find(value)
+                let word = keywords::find(value)
                     .ok_or_else(|| format!("unidex3 has no keyword '{value}'"))?;
-                self.without = Some(row.word);
+                self.without = Some(word);
             }
             _ => return self.set_drive(key, value),
         }

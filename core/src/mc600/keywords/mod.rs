@@ -37,7 +37,32 @@ macro_rules! words {
         /// Every word and its keyword in the table's order: marks, then letters by alphabet.
         pub(super) const WORDS: &[(&str, Keyword)] = &[$(($word, Keyword::$keyword),)*];
 
+        // What a simulator needs of the table, so that it carries no texts for people.
         impl Keyword {
+            /// As the device prints it.
+            pub fn word(self) -> &'static str {
+                match self {
+                    $(Keyword::$keyword => $word,)*
+                    Keyword::System(variable) => variable.word(),
+                }
+            }
+
+            /// How it is written.
+            pub fn syntax(self) -> &'static str {
+                match self {
+                    $(Keyword::$keyword => $syntax,)*
+                    Keyword::System(variable) => variable.word(),
+                }
+            }
+
+            /// Whether the table says that it does not work here.
+            pub fn is_absent(self) -> bool {
+                match self {
+                    $(Keyword::$keyword => matches!($support, crate::language::Support::Absent(_)),)*
+                    Keyword::System(_) => false,
+                }
+            }
+
             /// Its row of the table.
             pub fn row(self) -> &'static crate::language::KeywordRow {
                 match self {
@@ -65,18 +90,6 @@ mod words;
 
 pub use words::Keyword;
 use words::WORDS;
-
-impl Keyword {
-    /// As the device prints it.
-    pub fn word(self) -> &'static str {
-        self.row().word
-    }
-
-    /// Whether the table says that it does not work here.
-    pub fn is_absent(self) -> bool {
-        matches!(self.row().support, Support::Absent(_))
-    }
-}
 
 /// Every row of the table, system variables last.
 pub fn rows() -> Vec<&'static KeywordRow> {

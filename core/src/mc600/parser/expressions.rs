@@ -268,7 +268,7 @@ impl Parser<'_> {
         };
         let span = word.to(self.close()?);
         if arguments.len() < least || arguments.len() > most {
-            let syntax = keyword.row().syntax;
+            let syntax = keyword.syntax();
             return Err(Fault::syntax(
                 span,
                 format!("Wrong number of arguments: it is written {syntax}."),

@@ -11,7 +11,7 @@ mod serial;
 mod status;
 mod variables;
 
-use crate::language::{KeywordRow, ManualRef, Support};
+use crate::language::{KeywordRow, ManualRef, Support, words_of};
 
 const FLOW: ManualRef = ManualRef("Program Flow");
 const MOTION: ManualRef = ManualRef("spec: Motion");
@@ -29,6 +29,17 @@ const TABLES: [&[KeywordRow]; 7] = [
     ports::ROWS,
     serial::ROWS,
     reports::ROWS,
+];
+
+/// The words of each group.
+const WORDS: [&[&str]; 7] = [
+    &words_of::<{ flow::ROWS.len() }>(flow::ROWS),
+    &words_of::<{ motion::ROWS.len() }>(motion::ROWS),
+    &words_of::<{ status::ROWS.len() }>(status::ROWS),
+    &words_of::<{ variables::ROWS.len() }>(variables::ROWS),
+    &words_of::<{ ports::ROWS.len() }>(ports::ROWS),
+    &words_of::<{ serial::ROWS.len() }>(serial::ROWS),
+    &words_of::<{ reports::ROWS.len() }>(reports::ROWS),
 ];
 
 const fn row_of(
@@ -63,6 +74,14 @@ pub fn row(word: &str) -> Option<&'static KeywordRow> {
     })
 }
 
+/// The word of the table that is written so.
+pub fn find(word: &str) -> Option<&'static str> {
+    WORDS.into_iter().find_map(|words| {
+        let at = words.binary_search(&word).ok()?;
+        words.get(at).copied()
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::ast::StatementKind;
@@ -73,8 +92,9 @@ mod tests {
     fn every_word_is_found() {
         for known in rows() {
             assert_eq!(row(known.word), Some(known), "{}", known.word);
+            assert_eq!(find(known.word), Some(known.word));
         }
-        assert_eq!(row("GOTO"), None);
+        assert_eq!(find("GOTO"), None);
     }
 
     #[test]

@@ -109,10 +109,10 @@ impl Parser<'_> {
 
     /// Notes a word of the table that the line uses.
     fn note(&mut self, word: &str, span: Span) -> Parse<()> {
-        let row = keywords::row(word).or_else(|| keywords::row(&format!("{word}=")));
-        let Some(row) = row else { return Ok(()) };
-        self.used.push(row.word);
-        match self.without == Some(row.word) {
+        let known = keywords::find(word).or_else(|| keywords::find(&format!("{word}=")));
+        let Some(known) = known else { return Ok(()) };
+        self.used.push(known);
+        match self.without == Some(known) {
             true => Err(error(span, format!("This motor does not know {word}."))),
             false => Ok(()),
         }

@@ -407,7 +407,7 @@ impl Parser<'_> {
             Source::Register(Register::Analog(_)) => "RUAA",
             _ => word,
         };
-        if super::keywords::row(row).is_none() {
+        if super::keywords::find(row).is_none() {
             return Ok(None);
         }
         self.note(row, span)?;

@@ -8,7 +8,7 @@ mod preparatory;
 mod registers;
 mod remote;
 
-use crate::language::{KeywordRow, ManualRef, Support};
+use crate::language::{KeywordRow, ManualRef, Support, words_of};
 
 /// The groups of the table; in each, words stand in the order of their bytes.
 const TABLES: [&[KeywordRow]; 5] = [
@@ -18,6 +18,16 @@ const TABLES: [&[KeywordRow]; 5] = [
     remote::ROWS,
     keys::ROWS,
 ];
+
+/// The words of each group.
+const WORDS: [&[&str]; 5] = [
+    &words_of::<{ motion::ROWS.len() }>(motion::ROWS),
+    G_CODES,
+    &words_of::<{ registers::ROWS.len() }>(registers::ROWS),
+    &words_of::<{ remote::ROWS.len() }>(remote::ROWS),
+    &words_of::<{ keys::ROWS.len() }>(keys::ROWS),
+];
+const G_CODES: &[&str] = &words_of::<{ preparatory::ROWS.len() }>(preparatory::ROWS);
 
 const fn row(
     word: &'static str,
@@ -42,17 +52,16 @@ pub fn rows() -> Vec<&'static KeywordRow> {
     TABLES.into_iter().flatten().collect()
 }
 
-/// The row of a word, as the table writes it.
-pub fn find(word: &str) -> Option<&'static KeywordRow> {
-    let mut rows = TABLES.into_iter().flatten();
-    rows.find(|row| row.word == word)
+/// The word of the table that is written so.
+pub fn find(word: &str) -> Option<&'static str> {
+    let mut words = WORDS.into_iter().flatten();
+    words.find(|known| **known == word).copied()
 }
 
-/// The row of a G code: `G7`, `G25=n`.
+/// The word of a G code: `G7`, `G25=n`.
 pub fn g_code(word: &str) -> Option<&'static str> {
-    let place = preparatory::ROWS.binary_search_by(|row| row.word.cmp(word));
-    let row = preparatory::ROWS.get(place.ok()?);
-    row.map(|row| row.word)
+    let place = G_CODES.binary_search(&word).ok()?;
+    G_CODES.get(place).copied()
 }
 
 #[cfg(test)]
