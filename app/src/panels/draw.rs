@@ -17,40 +17,40 @@ pub(super) fn after(wait: Duration, act: impl Fn() + 'static) -> impl Fn() + Clo
     once(act, move |call| set_timeout(call, wait))
 }
 
-/// Returns a function to call at each of some events. As long as there are any, `tell` is told after each `wait` how many
-/// there were meanwhile; the last time, that there was none.
-pub(super) fn count(wait: Duration, tell: impl Fn(u32) + 'static) -> impl Fn() + Clone + 'static {
-    let counter = Rc::new(Counter {
+/// Returns a function to call at each of some events. As long as there are any, `tell` is told after each `wait` whether
+/// there was one meanwhile; the last time, that there was none.
+pub(super) fn watch(wait: Duration, tell: impl Fn(bool) + 'static) -> impl Fn() + Clone + 'static {
+    let watch = Rc::new(Watch {
         wait,
-        events: Cell::new(0),
+        happened: Cell::new(false),
         waits: Cell::new(false),
         tell: Box::new(tell),
     });
     move || {
-        counter.events.set(counter.events.get() + 1);
-        if !counter.waits.replace(true) {
-            counter.clone().go_on();
+        watch.happened.set(true);
+        if !watch.waits.replace(true) {
+            watch.clone().go_on();
         }
     }
 }
 
-struct Counter {
+struct Watch {
     wait: Duration,
-    events: Cell<u32>,
+    happened: Cell<bool>,
     waits: Cell<bool>,
-    tell: Box<dyn Fn(u32)>,
+    tell: Box<dyn Fn(bool)>,
 }
 
-impl Counter {
-    fn go_on(self: Rc<Counter>) {
+impl Watch {
+    fn go_on(self: Rc<Watch>) {
         let wait = self.wait;
         set_timeout(
             move || {
-                let events = self.events.take();
-                (self.tell)(events);
-                match events {
-                    0 => self.waits.set(false),
-                    _ => self.go_on(),
+                let happened = self.happened.take();
+                (self.tell)(happened);
+                match happened {
+                    true => self.go_on(),
+                    false => self.waits.set(false),
                 }
             },
             wait,

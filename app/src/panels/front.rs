@@ -103,9 +103,9 @@ fn Record(store: Store) -> impl IntoView {
             return store.recording.set(Some(Recording::new(now, unit)));
         };
         store.recording.set(None);
-        let kind = untrack(|| store.kind().id);
+        let kind = untrack(|| store.kind());
         let options = store.settings.with_untracked(front::options);
-        let Ok(units) = catalog::units(kind, &options) else {
+        let Ok(units) = catalog::units(kind.id, &options) else {
             return;
         };
         let text = recording.scenario(kind, &units, now);

@@ -25,7 +25,7 @@ use crate::state::terminal::{Looks, Row};
 
 /// More new rows than this in one drawing are too fast to be read: only the screen is drawn until they are fewer.
 const FLOOD: u64 = 100;
-/// The rows that were not drawn, and what a screen reader says, come when nothing was printed for so long.
+/// The rows that were not drawn come when nothing was printed for so long; what a screen reader says, after so long.
 const CALM: Duration = Duration::from_millis(200);
 /// Text that goes on for so many times [`CALM`] is a stream: of a thousand rows the browser would move each with each new
 /// one.
@@ -161,10 +161,10 @@ fn Screen(store: Store, screen: NodeRef<html::Div>, looks_back: RwSignal<bool>) 
             });
         });
     });
-    let count = draw::count(CALM, {
+    let watch = draw::watch(CALM, {
         let draw = draw.clone();
         move |printed| {
-            lasts.update_value(|lasts| *lasts = if printed == 0 { 0 } else { *lasts + 1 });
+            lasts.update_value(|lasts| *lasts = if printed { *lasts + 1 } else { 0 });
             draw();
         }
     });
@@ -172,7 +172,7 @@ fn Screen(store: Store, screen: NodeRef<html::Div>, looks_back: RwSignal<bool>) 
         store.printed.track();
         looks_back.track();
         draw();
-        count();
+        watch();
     });
     let ruler = NodeRef::<html::Span>::new();
     screen.on_load(move |screen| {

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use motionbench_core::catalog::Kind;
+use motionbench_core::catalog::{self, Kind};
 use motionbench_core::controller::{Binary, Choices, Setting};
 
 /// What holds a key down.
@@ -62,8 +62,8 @@ pub fn options(settings: &Settings) -> Vec<(String, String)> {
 }
 
 /// Whether they are those of several units.
-pub fn are_several(settings: &Settings) -> bool {
-    options(settings).iter().any(|(key, _)| key == "units")
+pub fn are_several(kind: &Kind, settings: &Settings) -> bool {
+    catalog::units(kind.id, &options(settings)).is_ok_and(|units| units.len() > 1)
 }
 
 /// Whether a kind of controller can be set so.

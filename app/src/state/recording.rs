@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use motionbench_core::catalog::Kind;
 use motionbench_core::time::Nanos;
 
 use crate::protocol::ToWorker;
@@ -82,7 +83,8 @@ impl Recording {
     }
 
     /// The scenario, of controllers of this kind, each with its options, that have just been switched on; `now` ends it.
-    pub fn scenario(&self, kind: &str, units: &[Vec<(String, String)>], now: Nanos) -> String {
+    pub fn scenario(&self, kind: &Kind, units: &[Vec<(String, String)>], now: Nanos) -> String {
+        let (id, selector) = (kind.id, kind.face.map_or("", |face| face.selector));
         let mut text = String::new();
         for (unit, options) in units.iter().enumerate() {
             let name = match units.len() {
@@ -91,7 +93,7 @@ impl Recording {
             };
             let options = options.iter().map(|(key, value)| format!(" {key}={value}"));
             // Writing to a text cannot fail.
-            let _ = writeln!(text, "bench {kind}{name}{}", options.collect::<String>());
+            let _ = writeln!(text, "bench {id}{name}{}", options.collect::<String>());
         }
         // What is pressed at the panel of one is pressed at that of all.
         let to = |unit: usize| match units.len() {
@@ -99,7 +101,7 @@ impl Recording {
             _ => format!("unit{}: ", unit + 1),
         };
         let select = |text: &mut String, unit: usize| {
-            let _ = writeln!(text, "{}wire PAIR {}", to(0), unit + 1);
+            let _ = writeln!(text, "{}wire {selector} {}", to(0), unit + 1);
         };
         for unit in 0..units.len() {
             let _ = writeln!(text, "{}power on", to(unit));
@@ -143,10 +145,14 @@ fn seconds(time: Nanos) -> String {
 
 #[cfg(test)]
 mod tests {
-    use motionbench_core::catalog::units;
+    use motionbench_core::catalog::{kind, units};
     use motionbench_core::scenario::Scenario;
 
     use super::*;
+
+    fn unidex3() -> &'static Kind {
+        kind("unidex3").unwrap()
+    }
 
     fn at(millis: u64) -> Nanos {
         Nanos::from_millis(5000 + millis)
@@ -178,7 +184,7 @@ mod tests {
                 (2600, "RIGHT", false),
             ],
         );
-        let text = recording.scenario("unidex3", &[vec![option("address", "2")]], at(3000));
+        let text = recording.scenario(unidex3(), &[vec![option("address", "2")]], at(3000));
         let expected = "bench unidex3 address=2\npower on\nrun until idle\nrun 0.1s\npress SLW\nrun 1s\nhold UP 0.5s\n\
                         run 0.1s\nhold RIGHT 1.4s\nrun 1.8s\n";
         assert_eq!(text, expected);
@@ -190,7 +196,7 @@ mod tests {
         let mut recording = recorded(1, &[(100, "SLW", true)]);
         recording.hear(at(200), &ToWorker::Select(0));
         let units = units("unidex3", &[option("units", "2")]).unwrap();
-        let text = recording.scenario("unidex3", &units, at(200));
+        let text = recording.scenario(unidex3(), &units, at(200));
         let expected = "bench unidex3 as unit1 keyboard=1 address=1 last=no\n\
                         bench unidex3 as unit2 keyboard=2 address=2\nunit1: power on\nunit2: power on\n\
                         unit1: wire PAIR 2\nrun until idle\nrun 0.1s\nunit1: press SLW\nrun 0.1s\nunit1: wire PAIR 1\n";

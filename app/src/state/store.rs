@@ -153,9 +153,7 @@ impl Store {
         ) {
             self.wiring.update(|wiring| wiring.hear(&message));
         }
-        if matches!(message, ToWorker::Key { .. } | ToWorker::Select(_))
-            && self.recording.with_untracked(Option::is_some)
-        {
+        if self.recording.with_untracked(Option::is_some) {
             let now = self.device.with_untracked(|device| device.now);
             self.recording
                 .update(|kept| kept.iter_mut().for_each(|kept| kept.hear(now, &message)));

@@ -103,6 +103,8 @@ pub struct Face {
     pub settings: &'static [Setting],
     /// The joystick at its connector.
     pub joystick: Joystick,
+    /// The wire of the selector, where several units share the front panel: as [`super::ControllerInfo::panel_selector`].
+    pub selector: &'static str,
     /// How a newcomer gets from the first key to a motion: keys by what is printed on them, and what they do.
     pub steps: &'static [(&'static str, &'static str)],
 }

@@ -30,6 +30,14 @@ pub const fn words_of<const ROWS: usize>(rows: &[KeywordRow]) -> [&'static str; 
     words
 }
 
+/// The word that is written so, of groups in which words stand in the order of their bytes.
+pub fn find_word(groups: &[&'static [&'static str]], word: &str) -> Option<&'static str> {
+    groups.iter().find_map(|words| {
+        let at = words.binary_search(&word).ok()?;
+        words.get(at).copied()
+    })
+}
+
 /// A section of the controller's manual, by its title.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct ManualRef(pub &'static str);

@@ -12,7 +12,7 @@ pub mod precedence;
 pub use cursor::Cursor;
 pub use diagnostic::{Cure, Diagnostic, Severity};
 pub use highlight::{Highlight, HighlightClass};
-pub use keyword::{KeywordRow, ManualRef, Support, words_of};
+pub use keyword::{KeywordRow, ManualRef, Support, find_word, words_of};
 pub use lines::split_lines;
 
 /// A place in one line of text: bytes `start..end` as the device holds the line, where one character is one byte

@@ -11,6 +11,7 @@ pub const FACE: Face = Face {
         wires: ["joyx", "joyy", "joybutton"],
         most: 10_000.0, // D350
     },
+    selector: super::switches::PAIR,
     steps: super::first_steps::PANEL,
 };
 

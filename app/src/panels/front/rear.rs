@@ -14,7 +14,7 @@ pub(super) fn Rear(store: Store, face: &'static Face) -> impl IntoView {
     Effect::new(move |_| draft.set(store.settings.get()));
     let same = Memo::new(move |_| draft.with(|draft| store.settings.with(|set| draft == set)));
     let usual = Memo::new(move |_| draft.with(Settings::is_empty));
-    let several = move || draft.with(front::are_several);
+    let several = move || draft.with(|draft| front::are_several(store.kind(), draft));
     let setting = move |setting: &'static Setting| match setting.choices {
         Choices::Words(words) => view! { <Words draft setting words /> }.into_any(),
         Choices::Binary(binary) => view! { <Switches draft setting binary /> }.into_any(),

@@ -11,7 +11,7 @@ mod serial;
 mod status;
 mod variables;
 
-use crate::language::{KeywordRow, ManualRef, Support, words_of};
+use crate::language::{KeywordRow, ManualRef, Support, find_word, words_of};
 
 const FLOW: ManualRef = ManualRef("Program Flow");
 const MOTION: ManualRef = ManualRef("spec: Motion");
@@ -76,10 +76,7 @@ pub fn row(word: &str) -> Option<&'static KeywordRow> {
 
 /// The word of the table that is written so.
 pub fn find(word: &str) -> Option<&'static str> {
-    WORDS.into_iter().find_map(|words| {
-        let at = words.binary_search(&word).ok()?;
-        words.get(at).copied()
-    })
+    find_word(&WORDS, word)
 }
 
 #[cfg(test)]

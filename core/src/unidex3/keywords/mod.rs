@@ -8,7 +8,7 @@ mod preparatory;
 mod registers;
 mod remote;
 
-use crate::language::{KeywordRow, ManualRef, Support, words_of};
+use crate::language::{KeywordRow, ManualRef, Support, find_word, words_of};
 
 /// The groups of the table; in each, words stand in the order of their bytes.
 const TABLES: [&[KeywordRow]; 5] = [
@@ -54,14 +54,12 @@ pub fn rows() -> Vec<&'static KeywordRow> {
 
 /// The word of the table that is written so.
 pub fn find(word: &str) -> Option<&'static str> {
-    let mut words = WORDS.into_iter().flatten();
-    words.find(|known| **known == word).copied()
+    find_word(&WORDS, word)
 }
 
 /// The word of a G code: `G7`, `G25=n`.
 pub fn g_code(word: &str) -> Option<&'static str> {
-    let place = G_CODES.binary_search(&word).ok()?;
-    G_CODES.get(place).copied()
+    find_word(&[G_CODES], word)
 }
 
 #[cfg(test)]
