@@ -149,10 +149,21 @@ async fn a_change_is_kept_within_a_second_and_comes_back() {
 #[wasm_bindgen_test]
 async fn a_page_that_goes_has_written_before() {
     let (page, _) = Page::open("test-flush").await;
+    // The first change is written at once, the next ones are not.
+    page.edit("10 EN");
     page.edit("10 END\n");
     page.keeper.close();
     let (_, found) = Page::open("test-flush").await;
     assert_eq!(found, Some(project("10 END\n")));
+}
+
+#[wasm_bindgen_test]
+async fn a_page_that_goes_without_a_word_has_written_the_change() {
+    let (page, _) = Page::open("test-at-once").await;
+    page.edit("10 END\n");
+    // Nothing runs between the change and this look at the database.
+    let kept = raw("test-at-once", None).await;
+    assert!(kept.is_some_and(|text| text.contains("10 END")));
 }
 
 #[wasm_bindgen_test]

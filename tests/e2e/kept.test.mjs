@@ -79,7 +79,7 @@ siteTest("program, files and settings come back after a reload", async (page, { 
 
 siteTest("a page that is closed at once has kept the last letter", async (page, { address, context }) => {
   let last = page;
-  for (let round = 1; round <= 5; round += 1) {
+  for (let round = 1; round <= 4; round += 1) {
     const text = `10 REM ROUND ${round}`;
     await write(last, text);
     await last.close({ runBeforeUnload: round % 2 === 0 });
@@ -87,6 +87,33 @@ siteTest("a page that is closed at once has kept the last letter", async (page, 
     await last.goto(address);
     await shows(last, text);
   }
+});
+
+siteTest("a page that is left while one types has kept the last letter", async (page) => {
+  for (let round = 1; round <= 3; round += 1) {
+    await write(page, "10 REM ROUND ");
+    await page.keyboard.insertText(`${round}`);
+    await page.reload();
+    await shows(page, `10 REM ROUND ${round}`);
+  }
+});
+
+siteTest("a page that is too busy to say goodbye has kept the last change", async (page, { address, context }) => {
+  await opened(page);
+  // The page has had some time: what it wrote when it was opened is long done.
+  await page.waitForTimeout(1000);
+  await write(page, "10 REM BUSY");
+  // A browser that closes a page waits half a second for it.
+  await page.evaluate(() =>
+    setTimeout(() => {
+      const end = performance.now() + 2000;
+      while (performance.now() < end);
+    }),
+  );
+  await page.close();
+  const next = await context.newPage();
+  await next.goto(address);
+  await shows(next, "10 REM BUSY");
 });
 
 siteTest("a page that crashes loses nothing that is older than a second", async (page, { address, context, forgive }) => {

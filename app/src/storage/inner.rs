@@ -30,8 +30,10 @@ enum Access {
 
 /// What has come of an attempt to save.
 pub(super) enum Save {
-    /// There is nothing to be saved, or it cannot be.
+    /// There is nothing to be saved.
     Nothing,
+    /// What there is cannot be saved.
+    TooLarge,
     /// The browser has it.
     Begun(Written),
     /// The database must be opened again first.
@@ -44,7 +46,7 @@ pub(super) struct Inner {
     pub(super) name: &'static str,
     /// Lets go of the project's lock.
     pub(super) release: Option<Function>,
-    /// The next save, or attempt at one.
+    /// The next save, or attempt at one: none before it.
     pub(super) timer: Option<Timer>,
     access: Access,
     database: Option<Rc<Database>>,
@@ -157,7 +159,7 @@ impl Inner {
         self.device = kept_device(device);
     }
 
-    /// Something has changed; whether a save is to be planned for it.
+    /// Something has changed; whether it is to be saved at once.
     pub(super) fn change(&mut self) -> bool {
         if self.access != Access::ThisPage || self.work.is_none() || self.unreadable.is_some() {
             return false;
@@ -196,12 +198,14 @@ impl Inner {
     /// Gives the browser what has changed.
     pub(super) fn save(&mut self, now_ms: f64) -> Save {
         self.timer = None;
-        let Some(text) = self.text().filter(|_| self.dirty) else {
+        let Some(text) = self.dirty.then(|| self.text()).flatten() else {
             return Save::Nothing;
         };
         if text.len() > LARGEST {
             self.fault = Some(Fault::TooLarge);
-            return Save::Nothing;
+            // Not again before there is another change.
+            self.dirty = false;
+            return Save::TooLarge;
         }
         let Some(database) = self.database.clone() else {
             return Save::NoDatabase;

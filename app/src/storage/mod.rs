@@ -1,4 +1,4 @@
-//! Kept work: the project is in the browser's database within a second of a change, and comes back from there.
+//! Kept work: the project is in the browser's database as soon as it has changed, and comes back from there.
 //!
 //! [`Keeper`] is what the page talks to. `crate::state::project` says what is kept, `crate::state::versions` what can be
 //! gone back to.
@@ -21,8 +21,13 @@ use crate::state::project::{Device, Project, ProjectError, Work, kept, kept_devi
 use crate::state::versions::{Reason, Version};
 use inner::{Inner, Save};
 
-/// A change is written this long after it at most, ms; changes until then are written with it.
-const SOON_MS: u32 = 400;
+/// A change is written at once, for a page that goes may have no time left. What changes within this time of that, ms,
+/// is written together after it.
+const PAUSE_MS: f64 = 50.0;
+/// A project that is large is written less often: the pause is so many times as long as the page was busy with it, and
+/// no longer than `LONGEST_PAUSE_MS`.
+const PAUSES: f64 = 10.0;
+const LONGEST_PAUSE_MS: f64 = 400.0;
 /// When it could not be written, it is tried again, ms.
 const RETRY_MS: u32 = 5000;
 /// A page that is loaded again may wait this long for the page before it to let go of the project, ms.
@@ -282,12 +287,12 @@ impl Keeper {
     }
 
     fn change(self, change: impl FnOnce(&mut Inner)) {
-        let soon = self.inner.try_update_value(|inner| {
+        let at_once = self.inner.try_update_value(|inner| {
             change(inner);
             inner.change()
         });
-        if soon == Some(true) {
-            self.save_in(SOON_MS);
+        if at_once == Some(true) {
+            self.save();
         }
         self.show();
     }
@@ -299,14 +304,21 @@ impl Keeper {
 
     fn save(self) {
         let now = clock::now_ms();
-        let begun = self.inner.try_update_value(|inner| inner.save(now));
+        let Some(begun) = self.inner.try_update_value(|inner| inner.save(now)) else {
+            return;
+        };
+        if !matches!(begun, Save::Nothing) {
+            let pause = PAUSES * (clock::now_ms() - now);
+            // Within its bounds it is a whole number.
+            self.save_in(pause.clamp(PAUSE_MS, LONGEST_PAUSE_MS) as u32);
+        }
         match begun {
-            Some(Save::Begun(written)) => spawn_local(async move {
+            Save::Begun(written) => spawn_local(async move {
                 let result = written.await;
                 self.saved(result, now).await;
             }),
-            Some(Save::NoDatabase) => spawn_local(self.reopen()),
-            Some(Save::Nothing) | None => {}
+            Save::NoDatabase => spawn_local(self.reopen()),
+            Save::Nothing | Save::TooLarge => {}
         }
         self.show();
     }
