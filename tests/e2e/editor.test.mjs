@@ -96,6 +96,9 @@ siteTest("a breakpoint holds the program, and goes where its line goes", async (
   await runs(page, "20 A=A+1");
   await agreement(page, "changed since it was loaded");
   await shot("editor-held");
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await page.locator(".row", { hasText: /^BREAK IN 20/ }).waitFor();
+  await page.getByText("idle", { exact: true }).waitFor();
 });
 
 siteTest("neither program replaces the other unasked", async (page, { shot }) => {

@@ -39,6 +39,8 @@ pub struct Engine {
     frozen: bool,
     /// The program may come to be held: by a breakpoint, or behind a step.
     may_be_held: bool,
+    /// So many units were held when time was last let go on. It goes on until another one is.
+    left_held: usize,
     /// What the page was last told that the controller holds.
     kept: Memory,
 }
@@ -104,6 +106,7 @@ impl Engine {
             terminal: TerminalSettings::default(), // the page says how it is
             frozen: false,
             may_be_held: false,
+            left_held: 0,
             kept: Memory::default(),
         })
     }
@@ -136,9 +139,9 @@ impl Engine {
                 self.sender.queue(&latin1::bytes(text), Some(*pace));
             }
             ToWorker::Stop => {
-                self.frozen = false;
                 self.sender.clear();
                 self.bench.send_urgent(self.line, self.info.attention);
+                self.go_on();
             }
             ToWorker::Run => self.start(),
             ToWorker::Load { text, start } => return Some(self.load(text, *start)),
@@ -151,16 +154,15 @@ impl Engine {
                 self.may_be_held |= !lines.is_empty();
                 self.debug(Debug::Breakpoints(lines.clone()));
             }
-            ToWorker::Freeze(frozen) => {
-                self.frozen = *frozen;
-                if !frozen {
-                    self.each(|unit| drop(unit.debug(Debug::Control(Control::Continue))));
-                }
+            ToWorker::Freeze(true) => self.frozen = true,
+            ToWorker::Freeze(false) => {
+                self.each(|unit| drop(unit.debug(Debug::Control(Control::Continue))));
+                self.go_on();
             }
             ToWorker::Step => {
                 self.debug(Debug::Control(Control::Step));
                 self.may_be_held = true;
-                self.frozen = false;
+                self.go_on();
             }
             ToWorker::EmergencyStop(pressed) => {
                 let stop = Input::Fault {
@@ -215,11 +217,11 @@ impl Engine {
                 return Some(FromWorker::Filed(filed));
             }
             ToWorker::Power(on) => {
-                self.frozen = false;
                 self.cancel();
                 for unit in 0..self.bench.len() {
                     self.bench.power(unit, *on);
                 }
+                self.go_on();
             }
             ToWorker::Speed(_) | ToWorker::Taken(_) => {}
         }
@@ -257,7 +259,7 @@ impl Engine {
 
     /// Types the start command, at the prompt.
     fn start(&mut self) {
-        self.frozen = false;
+        self.go_on();
         self.cancel();
         if !self.status().at_prompt {
             self.bench.send_urgent(self.line, self.info.attention);
@@ -319,10 +321,16 @@ impl Engine {
         }
     }
 
-    /// Whether the program of a unit is held.
-    fn is_held(&self) -> bool {
-        self.stations()
-            .any(|unit| unit.status().run == RunState::Paused)
+    /// How many units have a program that is held.
+    fn held(&self) -> usize {
+        let held = |unit: &&dyn Controller| unit.status().run == RunState::Paused;
+        self.stations().filter(held).count()
+    }
+
+    /// Lets time go on. Units that are held now stay so.
+    fn go_on(&mut self) {
+        self.frozen = false;
+        self.left_held = self.held();
     }
 
     /// The page offers only what the controller has.
@@ -362,7 +370,9 @@ impl Engine {
             return;
         }
         while !self.frozen && self.bench.run_next(until, &mut self.probe) {
-            self.frozen = self.is_held();
+            let held = self.held();
+            self.frozen = held > self.left_held;
+            self.left_held = self.left_held.min(held);
         }
         if !self.frozen {
             self.bench.run_until(until, &mut self.probe);

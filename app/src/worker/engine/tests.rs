@@ -142,6 +142,33 @@ fn a_breakpoint_holds_program_and_time_and_a_step_runs_one_statement() {
 }
 
 #[test]
+fn stop_ends_a_program_that_is_held() {
+    let held_at = [
+        ("mc600", LOOP, 20),
+        ("smartmotor", "a=1\nWHILE 1\na=a+1\nLOOP\nEND", 2),
+        ("unidex3", "M47 *\nX1 F100 *\nM30 *", 1),
+    ];
+    for (kind, program, line) in held_at {
+        let mut engine = Engine::new(kind).unwrap();
+        after(&mut engine, &[], 6000);
+        engine.act(&ToWorker::Breakpoints(vec![line]));
+        engine.act(&load(program));
+        let held = after(&mut engine, &[], 1000);
+        assert_eq!(
+            (held.frozen, held.status.run),
+            (true, RunState::Paused),
+            "{kind}"
+        );
+        let stopped = after(&mut engine, &[Stop], 1000);
+        assert_eq!(
+            (stopped.frozen, stopped.status.run),
+            (false, RunState::Idle),
+            "{kind}"
+        );
+    }
+}
+
+#[test]
 fn what_is_kept_comes_back_into_another_bench() {
     let mut engine = bench();
     after(&mut engine, &[load("10 END")], 200);
@@ -334,6 +361,38 @@ fn a_program_of_any_unit_that_is_held_holds_everything() {
     assert!(!report.frozen);
     let third = after(&mut engine, &[ToWorker::Select(2)], 100);
     assert!(third.status.moving);
+}
+
+#[test]
+fn a_step_in_one_unit_leaves_another_held() {
+    let mut engine = panel_of_three();
+    let long = format!("G91 *{}", "\nX100 F100 *".repeat(50));
+    let programs = ["G91 *\nX400 F100 *\nX100 *", long.as_str()];
+    for (unit, text) in programs.into_iter().enumerate() {
+        engine.act(&ToWorker::Select(unit));
+        let text = text.to_owned();
+        engine.act(&ToWorker::Load { text, start: false });
+        for key in keys("AUT 0 1 EXC") {
+            after(&mut engine, &[key], 60);
+        }
+    }
+    engine.act(&ToWorker::Select(0));
+    engine.act(&ToWorker::Breakpoints(vec![2]));
+    assert!(after(&mut engine, &[], 10_000).frozen);
+    let mut step = |unit| {
+        let report = after(
+            &mut engine,
+            &[ToWorker::Select(unit), ToWorker::Step],
+            10_000,
+        );
+        assert!(report.frozen);
+        report.status.line.unwrap()
+    };
+    // The first one holds it where it is.
+    let first = step(1);
+    assert_eq!([step(1), step(1)], [first, first + 1]);
+    // The other one is where it was held.
+    assert_eq!(step(0), 3);
 }
 
 #[test]
