@@ -2,7 +2,6 @@
 #![cfg(target_family = "wasm")]
 
 use std::cell::RefCell;
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use idb::{Query, TransactionMode};
@@ -25,7 +24,7 @@ fn project(text: &str) -> Project {
         work: Work {
             name: "Test".to_owned(),
             text: text.to_owned(),
-            breakpoints: BTreeSet::new(),
+            breakpoints: Vec::new(),
             line: LineSettings::new(9600),
             speed: Speed::Max,
             layout: Layout::default(),

@@ -65,10 +65,9 @@ impl Store {
     /// The work with the present controller.
     pub(super) fn desk(self) -> Desk {
         let line = self.device.with_untracked(|device| device.line);
-        let (text, breakpoints) = self.editor.with_untracked(|editor| {
-            let breakpoints = editor.breakpoints().into_iter().collect();
-            (editor.text().to_owned(), breakpoints)
-        });
+        let (text, breakpoints) = self
+            .editor
+            .with_untracked(|editor| (editor.text().to_owned(), editor.breakpoints()));
         Desk {
             text,
             breakpoints,

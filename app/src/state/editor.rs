@@ -1,7 +1,5 @@
 //! The program that the user edits, its breakpoints, and how it stands to the controller's own.
 
-use std::collections::BTreeSet;
-
 use motionbench_core::catalog::Kind;
 use motionbench_core::controller::Revision;
 use motionbench_core::language::{Diagnostic, Severity, Span};
@@ -9,6 +7,7 @@ use motionbench_core::language::{Diagnostic, Severity, Span};
 pub mod lines;
 pub mod programs;
 
+use super::order::in_order;
 use super::words;
 use lines::{Edit, Moved};
 use programs::{Difference, Loaded, Sent};
@@ -26,7 +25,8 @@ pub struct EditorState {
     text: String,
     opens: u64,
     takes: u64,
-    breakpoints: BTreeSet<u32>,
+    /// In order, each once.
+    breakpoints: Vec<u32>,
     running: Option<u32>,
     sent: Option<Sent>,
     loaded: Option<Loaded>,
@@ -90,7 +90,7 @@ impl EditorState {
             text: lines::with_line_feeds(text),
             opens: 0,
             takes: 0,
-            breakpoints: BTreeSet::new(),
+            breakpoints: Vec::new(),
             running: None,
             sent: None,
             loaded: None,
@@ -146,7 +146,7 @@ impl EditorState {
         *self = EditorState {
             opens: self.opens + 1,
             takes: self.takes,
-            breakpoints: breakpoints.into_iter().collect(),
+            breakpoints: in_order(breakpoints),
             running: self.running,
             loaded,
             controller: self.controller.take(),
@@ -166,7 +166,7 @@ impl EditorState {
         self.text = text;
         for edit in edits {
             let moved = |line: &u32| edit.moved(*line);
-            self.breakpoints = self.breakpoints.iter().filter_map(moved).collect();
+            self.breakpoints = in_order(self.breakpoints.iter().filter_map(moved));
             if let Some(sent) = &mut self.sent {
                 sent.places.follow(edit);
             }
@@ -181,13 +181,13 @@ impl EditorState {
     pub fn take(&mut self, text: &str) {
         let text = lines::with_line_feeds(text);
         let moved = programs::same_lines(self.kind, &self.text, &text);
-        let place = |line: &u32| moved.get(line).copied();
-        self.breakpoints = self.breakpoints.iter().filter_map(place).collect();
+        let place = |&line: &u32| moved.place(line);
+        self.breakpoints = in_order(self.breakpoints.iter().filter_map(place));
         if let Some(sent) = &mut self.sent {
-            sent.places.follow_map(&moved);
+            sent.places.follow_all(&moved);
         }
         if let Some(loaded) = &mut self.loaded {
-            loaded.places.follow_map(&moved);
+            loaded.places.follow_all(&moved);
         }
         self.text = text;
         self.takes += 1;
@@ -221,40 +221,38 @@ impl EditorState {
 
     /// Sets a breakpoint or clears it.
     pub fn toggle_breakpoint(&mut self, line: u32) -> Toggled {
-        if self.breakpoints.remove(&line) {
-            return Toggled::Cleared;
-        }
+        let place = match self.breakpoints.binary_search(&line) {
+            Ok(place) => {
+                self.breakpoints.remove(place);
+                return Toggled::Cleared;
+            }
+            Err(place) => place,
+        };
         let text = self.line(line).unwrap_or_default();
         if (self.kind.highlight)(text).is_empty() {
             return Toggled::Blank;
         }
-        self.breakpoints.insert(line);
+        self.breakpoints.insert(place, line);
         Toggled::Set
     }
 
     /// Lines of the text with a breakpoint, in order.
     pub fn breakpoints(&self) -> Vec<u32> {
-        self.breakpoints.iter().copied().collect()
+        self.breakpoints.clone()
     }
 
     /// The breakpoints as lines of the program that the controller has; none if that is not the editor's.
     pub fn breakpoints_as_device_lines(&self) -> Vec<u32> {
-        let Some(loaded) = self.loaded_now() else {
-            return Vec::new();
-        };
-        let lines = loaded.device_lines().into_iter();
-        let held =
-            lines.filter(|(_, place)| place.is_some_and(|line| self.breakpoints.contains(&line)));
-        held.map(|(device, _)| device).collect()
+        let loaded = self.loaded_now();
+        loaded.map_or(Vec::new(), |loaded| loaded.device_lines(&self.breakpoints))
     }
 
     /// The text is on its way to the controller: returns the lines of it at which the controller is to stop.
     pub fn send(&mut self) -> Vec<u32> {
         self.sent = Some(Sent::new(&self.text));
         let lines = (0..).zip((self.kind.text.device_lines)(&self.text));
-        let held = lines.filter(|(line, _)| self.breakpoints.contains(line));
-        let devices: BTreeSet<u32> = held.filter_map(|(_, device)| device).collect();
-        devices.into_iter().collect()
+        let held = lines.filter(|(line, _)| self.breakpoints.binary_search(line).is_ok());
+        in_order(held.filter_map(|(_, device)| device))
     }
 
     /// The controller has taken what was sent.

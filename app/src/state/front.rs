@@ -5,8 +5,10 @@ use std::collections::{BTreeMap, VecDeque};
 use motionbench_core::catalog::{self, Kind};
 use motionbench_core::controller::{Binary, Choices, Setting};
 
+use super::order::in_order;
+
 /// What holds a key down.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Hand {
     /// A finger or the mouse, by the number that the browser gives it.
     Pointer(i32),
@@ -16,36 +18,34 @@ pub enum Hand {
 
 /// The keys that are held, and by what.
 #[derive(Debug, Default)]
-pub struct Held(BTreeMap<Hand, String>);
+pub struct Held(Vec<(Hand, String)>);
 
 impl Held {
     /// A hand presses a key; returns whether the key goes down. A hand that holds one already holds on to that.
     pub fn press(&mut self, hand: Hand, key: &str) -> bool {
-        if self.0.contains_key(&hand) {
+        if self.0.iter().any(|(holding, _)| *holding == hand) {
             return false;
         }
         let is_up = !self.is_held(key);
-        self.0.insert(hand, key.to_owned());
+        self.0.push((hand, key.to_owned()));
         is_up
     }
 
     /// A hand lets go; returns the key that goes up.
     pub fn release(&mut self, hand: &Hand) -> Option<String> {
-        let key = self.0.remove(hand)?;
+        let at = self.0.iter().position(|(holding, _)| holding == hand)?;
+        let (_, key) = self.0.swap_remove(at);
         (!self.is_held(&key)).then_some(key)
     }
 
     /// All hands let go; returns the keys that go up, each once.
     pub fn release_all(&mut self) -> Vec<String> {
-        let mut keys: Vec<String> = std::mem::take(&mut self.0).into_values().collect();
-        keys.sort();
-        keys.dedup();
-        keys
+        in_order(self.0.drain(..).map(|(_, key)| key))
     }
 
     /// Whether some hand holds it.
     pub fn is_held(&self, key: &str) -> bool {
-        self.0.values().any(|held| held == key)
+        self.0.iter().any(|(_, held)| held == key)
     }
 }
 

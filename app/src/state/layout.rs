@@ -93,7 +93,7 @@ impl Layout {
 
     /// Whether a panel is folded away.
     pub fn is_folded(&self, panel: Panel) -> bool {
-        self.folded.contains(panel.name())
+        self.folded.iter().any(|name| name == panel.name())
     }
 
     /// Folds a panel away, or opens it. A front panel has the terminal's place. Terminal and scope are not both folded: one has the room of the other.
@@ -102,11 +102,11 @@ impl Layout {
             Panel::Front => Panel::Terminal,
             panel => panel,
         };
+        self.folded.retain(|name| name != panel.name());
         if !folded {
-            self.folded.remove(panel.name());
             return;
         }
-        self.folded.insert(panel.name().to_owned());
+        self.folded.push(panel.name().to_owned());
         match panel {
             Panel::Program | Panel::Front => {}
             Panel::Terminal => self.fold(Panel::Scope, false),

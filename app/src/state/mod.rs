@@ -10,6 +10,7 @@ pub mod front;
 mod keeping;
 pub mod keys;
 pub mod layout;
+pub mod order;
 mod program;
 pub mod project;
 pub mod recording;

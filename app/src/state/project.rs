@@ -5,7 +5,7 @@
 
 mod lines;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt;
 
 use motionbench_core::catalog::kind;
@@ -54,7 +54,7 @@ pub struct Work {
     #[serde(with = "lines")]
     pub text: String,
     /// Lines of that text, from 0, at which the program stops.
-    pub breakpoints: BTreeSet<u32>,
+    pub breakpoints: Vec<u32>,
     /// How the terminal's end of the line is set.
     pub line: LineSettings,
     /// How fast simulated time passes.
@@ -80,7 +80,7 @@ pub struct Desk {
     #[serde(with = "lines")]
     pub text: String,
     /// As [`Work::breakpoints`].
-    pub breakpoints: BTreeSet<u32>,
+    pub breakpoints: Vec<u32>,
     /// As [`Work::line`].
     pub line: LineSettings,
     /// As [`Work::terminal`].
@@ -100,7 +100,7 @@ pub struct Layout {
     /// What a panel takes of the room that it shares with its neighbour, in thousandths.
     pub shares: BTreeMap<String, u16>,
     /// Panels that are folded away.
-    pub folded: BTreeSet<String>,
+    pub folded: Vec<String>,
     /// The panel that is shown where there is room for one.
     pub shown: Option<String>,
 }
@@ -262,7 +262,8 @@ impl Project {
                 ));
             }
         }
-        if BTreeSet::from_iter(&controllers).len() < controllers.len() {
+        let is_again = |(at, id)| controllers.iter().take(at).any(|before| before == id);
+        if controllers.iter().enumerate().any(is_again) {
             return Err("it has a controller twice".to_owned());
         }
         if let Speed::Times(times) = work.speed

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::order::sort_few;
+
 /// What an edit can be gone back over at least, ms.
 const APART_MS: f64 = 60_000.0;
 /// Versions that are kept because time has passed, and others, each.
@@ -55,7 +57,7 @@ pub fn is_due(versions: &[Version], now_ms: f64) -> bool {
 /// Takes out of `versions` what is too many, and returns it. What time has left grows sparser with age, so that both
 /// the last minutes and the last months can be gone back to; of the others the newest are kept.
 pub fn thin(versions: &mut Vec<Version>) -> Vec<Version> {
-    versions.sort_by(|a, b| a.at_ms.total_cmp(&b.at_ms));
+    sort_few(versions, |a, b| a.at_ms < b.at_ms);
     let (mut times, mut others): (Vec<Version>, Vec<Version>) = versions
         .iter()
         .partition(|version| version.reason == Reason::Time);

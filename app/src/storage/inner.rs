@@ -10,6 +10,7 @@ use leptos::wasm_bindgen::JsValue;
 
 use super::database::{Changes, Contents, Database};
 use super::{Fault, Keeping};
+use crate::state::order::sort_few;
 use crate::state::project::{Device, LARGEST, Project, Work, kept, kept_device};
 use crate::state::versions::{Reason, Version, is_due, thin};
 
@@ -179,7 +180,7 @@ impl Inner {
     /// What can be gone back to, the newest first.
     pub(super) fn versions(&self) -> Vec<Version> {
         let mut versions = self.versions.clone();
-        versions.sort_by(|a, b| b.at_ms.total_cmp(&a.at_ms));
+        sort_few(&mut versions, |a, b| a.at_ms > b.at_ms);
         versions
     }
 

@@ -17,6 +17,13 @@ pub struct Diagnostic {
     pub cure: Option<Cure>,
 }
 
+impl Diagnostic {
+    /// Puts what was found in the order in which one reads the text.
+    pub fn sort(found: &mut [Diagnostic]) {
+        found.sort_by_key(|found| (found.line, found.span));
+    }
+}
+
 /// How bad it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Severity {

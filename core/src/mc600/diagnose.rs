@@ -29,7 +29,7 @@ pub fn diagnose(text: &str) -> Vec<Diagnostic> {
     }
     findings.jumps();
     findings.compiled();
-    findings.found.sort_by_key(|found| (found.line, found.span));
+    Diagnostic::sort(&mut findings.found);
     findings.found
 }
 
@@ -219,7 +219,7 @@ impl Findings {
 
     /// What only the compiler sees, such as a string where a number is wanted.
     fn compiled(&mut self) {
-        self.found.sort_by_key(|found| found.line);
+        Diagnostic::sort(&mut self.found);
         for problem in self.new_problems() {
             if let Some(place) = self.places.get(&problem.line) {
                 let (line, span) = (place.line, place.span(problem.span));

@@ -150,13 +150,13 @@ impl Program {
     /// number; nothing has changed then.
     pub fn renumber(&mut self, start: u16, increment: u16) -> Result<(), ErrorCode> {
         let numbers = (start..=LAST_LINE).step_by(usize::from(increment.max(1)));
-        let new: BTreeMap<u16, u16> = self.lines.keys().copied().zip(numbers).collect();
+        let new: Vec<(u16, u16)> = self.lines.keys().copied().zip(numbers).collect();
         if new.len() < self.lines.len() || increment == 0 {
             return Err(ErrorCode::IllegalQuantity);
         }
         let mut renumbered = Program::default();
         for (old, text) in self.lines() {
-            let number = new.get(&old).copied().unwrap_or(old);
+            let number = renumbered_as(old, &new).unwrap_or(old);
             let text = with_new_jumps(text, &new);
             if listed(number, &text).len() > STORED_LENGTH {
                 return Err(ErrorCode::IllegalQuantity);
@@ -257,11 +257,11 @@ fn upper_case_keywords(text: &[u8]) -> Vec<u8> {
 }
 
 /// A text with its jumps changed from old numbers to new ones.
-fn with_new_jumps(text: &[u8], new: &BTreeMap<u16, u16>) -> Vec<u8> {
+fn with_new_jumps(text: &[u8], new: &[(u16, u16)]) -> Vec<u8> {
     let mut changed = Vec::with_capacity(text.len());
     let mut copied = 0;
     for jump in jumps(text) {
-        let Some(number) = new.get(&jump.line.number) else {
+        let Some(number) = renumbered_as(jump.line.number, new) else {
             continue;
         };
         let range = jump.line.span.range();
@@ -271,6 +271,12 @@ fn with_new_jumps(text: &[u8], new: &BTreeMap<u16, u16>) -> Vec<u8> {
     }
     changed.extend_from_slice(text.get(copied..).unwrap_or_default());
     changed
+}
+
+/// The new number of a line, of the old and new ones in order.
+fn renumbered_as(line: u16, new: &[(u16, u16)]) -> Option<u16> {
+    let at = new.binary_search_by_key(&line, |&(old, _)| old).ok()?;
+    new.get(at).map(|&(_, number)| number)
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ pub fn diagnose(text: &str) -> Vec<Diagnostic> {
             .filter(|problem| strange.binary_search(&problem.line).is_err());
         found.extend(judged.map(diagnostic));
     }
-    found.sort_by_key(|found| (found.line, found.span));
+    Diagnostic::sort(&mut found);
     found
 }
 

@@ -5,6 +5,7 @@ use leptos::wasm_bindgen::prelude::*;
 use web_sys::{Blob, CanvasRenderingContext2d, HtmlCanvasElement};
 
 use super::Sheets;
+use crate::state::order::sort_few;
 use crate::state::{Store, words};
 use crate::storage::files;
 
@@ -37,7 +38,7 @@ fn compose(store: Store, sheets: Sheets) -> Option<HtmlCanvasElement> {
         store.with_scope(|scope| scope.strips().iter().position(|strip| strip.name == name))
     };
     strips.retain(|(_, canvas)| canvas.width() > 0 && canvas.height() > 0);
-    strips.sort_by_key(|(name, _)| order(name));
+    sort_few(&mut strips, |a, b| order(&a.0) < order(&b.0));
     strips.push((String::new(), sheets.time.get_untracked()?));
     let width = strips.iter().map(|(_, canvas)| canvas.width()).max()?;
     let height: f64 = strips

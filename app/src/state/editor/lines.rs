@@ -1,7 +1,5 @@
 //! Lines of the text: where they go when it is edited, and what they are to the controller.
 
-use std::collections::BTreeMap;
-
 use motionbench_core::catalog::Kind;
 use motionbench_core::language::{Diagnostic, HighlightClass, Span};
 
@@ -60,6 +58,18 @@ impl Moved {
         )
     }
 
+    /// Those of the first `lines` lines that `places` tells the places of; the others are gone.
+    pub fn to(lines: usize, places: impl IntoIterator<Item = (u32, u32)>) -> Moved {
+        let mut all = vec![None; lines];
+        for (line, place) in places {
+            let line = usize::try_from(line).ok();
+            if let Some(moved) = line.and_then(|line| all.get_mut(line)) {
+                *moved = Some(place);
+            }
+        }
+        Moved(all)
+    }
+
     /// No line of the earlier text is left.
     pub fn all_gone() -> Moved {
         Moved(Vec::new())
@@ -72,11 +82,16 @@ impl Moved {
         }
     }
 
-    /// The text was replaced; lines that `moved` does not have are gone.
-    pub fn follow_map(&mut self, moved: &BTreeMap<u32, u32>) {
+    /// The text was replaced, and its lines have moved so.
+    pub fn follow_all(&mut self, moved: &Moved) {
         for place in &mut self.0 {
-            *place = place.and_then(|line| moved.get(&line).copied());
+            *place = place.and_then(|line| moved.place(line));
         }
+    }
+
+    /// Where a line of the earlier text is.
+    pub fn place(&self, line: u32) -> Option<u32> {
+        *self.0.get(usize::try_from(line).ok()?)?
     }
 
     /// Where each line is, in the order of the earlier text.

@@ -7,6 +7,7 @@ use motionbench_core::controller::Revision;
 use motionbench_core::language::HighlightClass;
 
 use super::lines::Moved;
+use crate::state::order::in_order;
 
 /// A text on its way to the controller.
 #[derive(Debug, Clone)]
@@ -48,16 +49,18 @@ impl Loaded {
         }
     }
 
-    /// The controller's lines, and where each is in the text now, if it still is. Of two with the same number the later
-    /// counts.
-    pub fn device_lines(&self) -> BTreeMap<u32, Option<u32>> {
+    /// The lines of the controller that are at these lines of the text now; both in order.
+    pub fn device_lines(&self, places: &[u32]) -> Vec<u32> {
         let lines = self.revision.lines.iter().zip(self.places.all());
-        lines
-            .filter_map(|(device, &place)| Some(((*device)?, place)))
-            .collect()
+        let there = lines.filter_map(|(&device, &place)| {
+            let (device, place) = (device?, place?);
+            let counts = places.binary_search(&place).is_ok() && self.place(device) == Some(place);
+            counts.then_some(device)
+        });
+        in_order(there)
     }
 
-    /// Where a line of the controller is in the text now.
+    /// Where a line of the controller is in the text now. Of two with the same number the later counts.
     pub fn place(&self, device_line: u32) -> Option<u32> {
         let lines = self.revision.lines.iter().zip(self.places.all());
         let (_, place) = lines
@@ -82,14 +85,12 @@ pub struct Difference {
 /// some controllers the case of letters, count only in texts; comments only where the controller keeps them.
 pub fn differences(kind: &Kind, text: &str, listing: &str) -> Vec<Difference> {
     let (editor, controller) = (numbered(kind, text), numbered(kind, listing));
-    let mut numbers: Vec<u32> = editor.keys().chain(controller.keys()).copied().collect();
-    numbers.sort_unstable();
-    numbers.dedup();
+    let mut all = controller.clone();
+    all.extend(editor.iter().map(|(&number, &line)| (number, line)));
     let line = |program: &BTreeMap<u32, Line>, number| {
         program.get(&number).map(|line| line.text.to_owned())
     };
-    numbers
-        .into_iter()
+    all.into_keys()
         .filter(
             |number| match (editor.get(number), controller.get(number)) {
                 (Some(ours), Some(theirs)) => !same(kind, ours.text, theirs.text, |_| true),
@@ -106,22 +107,21 @@ pub fn differences(kind: &Kind, text: &str, listing: &str) -> Vec<Difference> {
 
 /// For lines of an old text, the lines of a new one that are the same lines of the controller: those in the same order
 /// if the new text is the old one renumbered, otherwise those of the same number.
-pub fn same_lines(kind: &Kind, old: &str, new: &str) -> BTreeMap<u32, u32> {
+pub fn same_lines(kind: &Kind, old: &str, new: &str) -> Moved {
+    let lines = old.split('\n').count();
     let (old, new) = (numbered(kind, old), numbered(kind, new));
     let but_numbers = |class| !matches!(class, HighlightClass::LineNumber | HighlightClass::Number);
     let in_order = || old.values().zip(new.values());
     let renumbered = old.len() == new.len()
         && in_order().all(|(old, new)| same(kind, old.text, new.text, but_numbers));
     if renumbered {
-        return in_order()
-            .map(|(old, new)| (old.place, new.place))
-            .collect();
+        return Moved::to(lines, in_order().map(|(old, new)| (old.place, new.place)));
     }
     if !kind.text.numbered {
-        return at_both_ends(kind, &old, &new);
+        return Moved::to(lines, at_both_ends(kind, &old, &new));
     }
     let kept = |(number, old): (&u32, &Line)| Some((old.place, new.get(number)?.place));
-    old.iter().filter_map(kept).collect()
+    Moved::to(lines, old.iter().filter_map(kept))
 }
 
 /// The lines that are equal from the start on, and from the end back.
@@ -129,11 +129,11 @@ fn at_both_ends(
     kind: &Kind,
     old: &BTreeMap<u32, Line>,
     new: &BTreeMap<u32, Line>,
-) -> BTreeMap<u32, u32> {
+) -> Vec<(u32, u32)> {
     let equal = |(old, new): &(&Line, &Line)| same(kind, old.text, new.text, |_| true);
     let places = |(old, new): (&Line, &Line)| (old.place, new.place);
     let start = old.values().zip(new.values()).take_while(equal);
-    let mut kept: BTreeMap<u32, u32> = start.map(places).collect();
+    let mut kept: Vec<(u32, u32)> = start.map(places).collect();
     let rest = old.len().min(new.len()) - kept.len();
     let end = old.values().rev().zip(new.values().rev());
     kept.extend(end.take(rest).take_while(equal).map(places));
@@ -141,6 +141,7 @@ fn at_both_ends(
 }
 
 /// A line of a program.
+#[derive(Clone, Copy)]
 struct Line<'a> {
     /// Its line in the text.
     place: u32,
@@ -212,8 +213,9 @@ mod tests {
         assert_eq!(differ("P=1000 G\nTWAIT\nA=1\nEND\n"), 1);
         assert_eq!(differ("P=1000 G\nTWAIT\nEND\n"), 2);
         let longer = "V=1\nP=1000 G\nTWAIT\na=1\nEND";
-        let moved: Vec<(u32, u32)> = same_lines(kind, text, longer).into_iter().collect();
-        assert_eq!(moved, [(1, 1), (3, 2), (4, 3), (5, 4)]);
+        let moved = same_lines(kind, text, longer);
+        let places = [None, Some(1), None, Some(2), Some(3), Some(4)];
+        assert_eq!(moved.all(), places);
     }
 
     #[test]
@@ -251,13 +253,11 @@ mod tests {
     fn a_renumbered_program_has_its_lines_in_order() {
         let kind = kind("mc600").unwrap();
         let old = "10 A=1\n15 B=2\n20 GOTO 15";
-        let moved = |new| same_lines(kind, old, new).into_iter().collect::<Vec<_>>();
-        assert_eq!(
-            moved("10 A=1\n20 B=2\n30 GOTO 20"),
-            [(0, 0), (1, 1), (2, 2)]
-        );
+        let moved = |new| same_lines(kind, old, new).all().to_vec();
+        let renumbered = moved("10 A=1\n20 B=2\n30 GOTO 20");
+        assert_eq!(renumbered, [Some(0), Some(1), Some(2)]);
         // Not the same program: by number.
-        assert_eq!(moved("10 A=1\n20 GOTO 15"), [(0, 0), (2, 1)]);
-        assert_eq!(moved("5 X=1\n10 A=1\n20 PRINT"), [(0, 1), (2, 2)]);
+        assert_eq!(moved("10 A=1\n20 GOTO 15"), [Some(0), None, Some(1)]);
+        assert_eq!(moved("5 X=1\n10 A=1\n20 PRINT"), [Some(1), None, Some(2)]);
     }
 }

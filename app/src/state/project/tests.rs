@@ -12,12 +12,12 @@ fn project() -> Project {
         work: Work {
             name: "Feeder 2".to_owned(),
             text: "10 PRINT \"\u{dc}\"\n20 GOTO 10".to_owned(),
-            breakpoints: BTreeSet::from([1]),
+            breakpoints: vec![1],
             line: LineSettings::new(9600),
             speed: Speed::Times(0.5),
             layout: Layout {
                 shares: BTreeMap::from([("editor".to_owned(), 400)]),
-                folded: BTreeSet::from(["machine".to_owned()]),
+                folded: vec!["machine".to_owned()],
                 shown: Some("terminal".to_owned()),
             },
             terminal: None,
@@ -116,7 +116,7 @@ fn work_with_several_controllers_needs_version_2() {
     let mut project = project();
     project.work.others.push(Desk {
         text: "10 END".to_owned(),
-        breakpoints: BTreeSet::new(),
+        breakpoints: Vec::new(),
         line: LineSettings::new(1200),
         terminal: None,
         settings: Default::default(),

@@ -75,7 +75,7 @@ struct Compiler {
     labels: BTreeMap<u16, u32>,
     /// Jumps to labels, with the place where they stand.
     jumps: Vec<(usize, u16, At)>,
-    constants: BTreeMap<i32, u16>,
+    /// Constants that have registers, which follow each other.
     values: Vec<i32>,
     first_constant: u16,
     /// Behind the last register for constants.
@@ -97,7 +97,6 @@ impl Compiler {
             lines: Vec::new(),
             labels: BTreeMap::new(),
             jumps: Vec::new(),
-            constants: BTreeMap::new(),
             values: Vec::new(),
             first_constant,
             limit,
@@ -274,14 +273,14 @@ impl Compiler {
 
     /// The register of a constant; `temporary` if there is no room for it.
     fn constant(&mut self, value: i32, temporary: u16) -> u16 {
-        if let Some(&register) = self.constants.get(&value) {
-            return register;
-        }
-        let register = usize::from(self.first_constant) + self.values.len();
-        match u16::try_from(register) {
+        // There are few enough to look at each.
+        let known = self.values.iter().position(|&known| known == value);
+        let index = known.unwrap_or(self.values.len());
+        match u16::try_from(usize::from(self.first_constant) + index) {
             Ok(register) if usize::from(register) < self.limit => {
-                self.constants.insert(value, register);
-                self.values.push(value);
+                if known.is_none() {
+                    self.values.push(value);
+                }
                 register
             }
             _ => {

@@ -329,12 +329,10 @@ impl Unidex3 {
             let number = std::str::from_utf8(part).ok()?.parse::<u8>().ok()?;
             (number <= LAST_ADDRESS).then_some(number)
         };
-        let mut addresses: Vec<u8> = parts.iter().filter_map(number).collect();
-        addresses.sort_unstable();
-        addresses.dedup();
-        let own = addresses
-            .iter()
-            .position(|&address| address == self.options.address);
+        let asked: Vec<u8> = parts.iter().filter_map(number).collect();
+        let mut addresses = (0..=LAST_ADDRESS).filter(|address| asked.contains(address));
+        let count = addresses.clone().count();
+        let own = addresses.position(|address| address == self.options.address);
         let remote = &mut self.remote;
         remote.asked = [0; replies::TURNS];
         remote.addressed = false;
@@ -343,7 +341,7 @@ impl Unidex3 {
         {
             let small = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
             self.remote.addressed = true;
-            self.remote.turn = (small(own), small(addresses.len()));
+            self.remote.turn = (small(own), small(count));
             self.enter_remote(now, Interface::Serial);
         }
     }
