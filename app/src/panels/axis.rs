@@ -44,7 +44,7 @@ pub(super) fn Axes(store: Store) -> impl IntoView {
         }
         let several = axes.len() > 1;
         let strip = |(place, axis): (usize, String)| {
-            let name = several.then(|| axis.to_uppercase());
+            let name = several.then(|| axis.to_ascii_uppercase());
             view! { <Axis store axis name first=place == 0 /> }
         };
         axes.into_iter().enumerate().map(strip).collect_view()

@@ -218,7 +218,7 @@ fn Spoken(shown: Shown) -> impl IntoView {
         shown.with(|panel| {
             let display = |(axis, value): &(String, String)| {
                 let value = if value.is_empty() { "dark" } else { value };
-                view! { <li>{format!("{} {value}", axis.to_uppercase())}</li> }
+                view! { <li>{format!("{} {value}", axis.to_ascii_uppercase())}</li> }
             };
             panel.tracking.iter().map(display).collect_view()
         })

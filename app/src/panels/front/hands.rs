@@ -119,7 +119,7 @@ pub(super) fn meaning(key: &str, keys: &[Keycap]) -> Option<String> {
     if key.chars().count() != 1 {
         return None;
     }
-    let character = key.to_uppercase();
+    let character = key.to_ascii_uppercase();
     let legend = if character == " " { BLANK } else { &character };
     let printed = |cap: &Keycap| {
         let legends = [cap.legends.0, cap.legends.1, cap.message.0, cap.message.1];
@@ -268,7 +268,7 @@ fn title(cap: &Keycap) -> String {
 /// A key of the computer, for people.
 pub(super) fn words(key: &str) -> String {
     match key.strip_prefix("Arrow") {
-        Some(direction) => format!("{} arrow", direction.to_lowercase()),
+        Some(direction) => format!("{} arrow", direction.to_ascii_lowercase()),
         None => match key {
             "PageUp" => "Page Up".to_owned(),
             "PageDown" => "Page Down".to_owned(),

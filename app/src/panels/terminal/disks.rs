@@ -136,7 +136,7 @@ fn put(store: Store, disk: &'static DiskInfo, files: &FileList) {
         spawn_local(async move {
             match read(&file).await {
                 Ok(text) => {
-                    let name = format!("{}{}", disk.prefix, file.name().to_uppercase());
+                    let name = format!("{}{}", disk.prefix, file.name().to_ascii_uppercase());
                     store.send(ToWorker::PutFile { name, text });
                     store.send(ToWorker::Keep);
                 }
