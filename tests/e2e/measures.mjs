@@ -39,18 +39,18 @@ function frames(page, seconds) {
 }
 
 /**
- * What the main thread does a frame, in ms of its own time: `drawing` before a frame is painted, `all` in all; until
- * `drawing` is at most `enough`. The whole includes what the browser itself does, without a graphics card.
+ * What the main thread does a frame, in ms of its own time: `drawing` before a frame is painted, `all` in all; measured
+ * again until it `isLittle`. The whole includes what the browser itself does, without a graphics card.
  */
-export async function busy(page, enough) {
+export async function busy(page, isLittle) {
   const client = await page.context().newCDPSession(page);
   await client.send("Performance.enable", { timeDomain: "threadTicks" });
   const task = async () => {
     const { metrics } = await client.send("Performance.getMetrics");
     return metrics.find((metric) => metric.name === "TaskDuration").value * 1000;
   };
-  let best = { drawing: Infinity };
-  for (let moment = 0; moment < MOMENTS && !(best.drawing <= enough); moment += 1) {
+  let best = { drawing: Infinity, all: Infinity, frames: 0 };
+  for (let moment = 0; moment < MOMENTS && !(moment > 0 && isLittle(best)); moment += 1) {
     const before = await task();
     const seen = await drawing(page, 2);
     const all = ((await task()) - before) / seen.frames;
@@ -58,7 +58,11 @@ export async function busy(page, enough) {
       `drawing ${seen.mean.toFixed(2)} ms, 95 % within ${seen.most.toFixed(2)} ms, ` +
         `the main thread ${all.toFixed(2)} ms a frame (${seen.frames} frames)`,
     );
-    best = seen.mean < best.drawing ? { drawing: seen.mean, all, frames: seen.frames } : best;
+    best = {
+      drawing: Math.min(best.drawing, seen.mean),
+      all: Math.min(best.all, all),
+      frames: Math.max(best.frames, seen.frames),
+    };
   }
   await client.detach();
   return best;
