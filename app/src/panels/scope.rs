@@ -204,16 +204,17 @@ fn draw(store: Store, sheets: Sheets) {
 /// What is what, as long as nothing has moved.
 #[component]
 fn FirstSteps(store: Store) -> impl IntoView {
-    let has_face = move || store.kind().face.is_some();
+    let other_way = move || match store.kind().face {
+        Some(_) => "Or press the keys of its front panel: First steps, above it, says which. ",
+        None => {
+            "The terminal is the controller's console: there you can type to it; Help says what. "
+        }
+    };
     view! {
         <div class="first-steps">
             <p><strong>"Nothing has moved yet: press Run."</strong></p>
             <p>"Run gives the program to the controller, which is simulated in this page, and starts it. "
-                "The terminal is the controller's console: there you can type to it; Help says what. "
-                "What the axis does is drawn here."</p>
-            <Show when=has_face>
-                <p>"Or press the keys of the front panel: First steps, above it, says which."</p>
-            </Show>
+                {other_way} "What the axis does is drawn here."</p>
         </div>
     }
 }
