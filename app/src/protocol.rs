@@ -219,6 +219,7 @@ impl Frame {
             enabled: true,
             fault: None,
             at_prompt: false,
+            listens: true,
             error: None,
             revision: 1,
         };

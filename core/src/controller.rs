@@ -72,7 +72,9 @@ pub struct ControllerInfo {
     /// What stops a running program from the console.
     pub attention: &'static [u8],
     /// What the user types to start the loaded program.
-    pub start: &'static str,
+    pub start: String,
+    /// What the user presses where the console is not listened to; `None` where it always is.
+    pub hands_on: Option<HandsOn>,
     /// Where programs are kept: the slot that a bare `load` means.
     pub program_slot: Slot,
     /// Recorded at every sample, in this order.
@@ -90,6 +92,15 @@ pub struct ControllerInfo {
     /// The wire of the selector of a front panel that it shares: keys and the selector reach all stations that have it,
     /// and the one that is selected has [`Controller::panel`].
     pub panel_selector: Option<&'static str>,
+}
+
+/// Keys of a front panel that has the station for itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HandsOn {
+    /// Stops whatever runs.
+    pub stop: &'static str,
+    /// Has the console listened to, while nothing runs.
+    pub listen: &'static str,
 }
 
 /// How stations of a kind share the host's serial line.
@@ -258,6 +269,8 @@ pub struct Status {
     pub fault: Option<String>,
     /// The console stands at its prompt, or takes commands without one, and nothing is typed.
     pub at_prompt: bool,
+    /// What comes from the console is listened to, now or as soon as there is time.
+    pub listens: bool,
     /// The last error that the program ended with, in the device's words; cleared by the next start.
     pub error: Option<String>,
     /// Grows with every change of the device's program, whoever made it.

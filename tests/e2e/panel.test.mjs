@@ -98,6 +98,26 @@ siteTest("a newcomer enters a square by the keys that the panel names, and runs 
   await eventually("the square is closed", async () => (await tracking(page, "X")) === 0 && (await tracking(page, "Y")) === 0);
 });
 
+siteTest("Run and Stop act whoever has the unit", async (page) => {
+  await unidex(page);
+  await press(page, "SLW");
+  await shows(page, "SLEW");
+  // The panel has it now, and the console is not heard: the page presses RMT.
+  await page.getByRole("button", { name: "Run", exact: true }).click();
+  await shows(page, "REMOTE");
+  await runs(page, "X");
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await page.getByText("idle", { exact: true }).waitFor();
+  await press(page, "RES");
+  await shows(page, "SYS RDY");
+  await page.keyboard.type("a");
+  await page.keyboard.type("01\n");
+  await shows(page, "RUNNING");
+  await page.getByRole("button", { name: "Stop", exact: true }).click();
+  await shows(page, "SYS RDY");
+  await page.getByText("idle", { exact: true }).waitFor();
+});
+
 siteTest("an arrow key jogs while it is held, and lets go when the page loses it", async (page) => {
   await unidex(page);
   await press(page, "SLW");
@@ -218,10 +238,12 @@ siteTest("the terminal is the host and the printer, at the speed that the switch
     await page.keyboard.type(`${line}\n`);
   };
   await type("03");
-  await page.waitForTimeout(500);
+  const other = page.locator(".status").getByText("the controller is set to 1200 8N1");
+  await other.waitFor();
   await page.getByRole("button", { name: "Line settings" }).click();
   await page.getByRole("button", { name: "As the controller" }).click();
   await page.getByRole("button", { name: "Set", exact: true }).click();
+  await other.waitFor({ state: "detached" });
   await type("03");
   await page.keyboard.type("PX\n");
   await printedEnd(page, "PX\nX0000000000");

@@ -24,6 +24,11 @@ pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl
     let error = memo(|device| device.error().unwrap_or_default().to_owned());
     let time = memo(|device| words::time(device.now.seconds()));
     let settings = memo(|device| device.line.as_ref().map_or_else(String::new, line_words));
+    // Where switches say how the controller's end is set, not its programs.
+    let controller = Memo::new(move |_| {
+        let other = store.device.with(Device::other_line);
+        other.filter(|_| store.kind().face.is_some())
+    });
     let why = memo(|device| device.why().to_owned());
     let sending = Memo::new(move |_| {
         store.console.sending.with(|progress| {
@@ -57,6 +62,9 @@ pub(super) fn StatusLine(store: Store, keeper: Keeper, updates: Updates) -> impl
             <span class="error">{error}</span>
             <span class="figures time">"t = "{time}</span>
             <span class="figures settings">{settings}</span>
+            <span class="figures error">
+                {move || controller.get().map(|line| format!("the controller is set to {}", line_words(&line)))}
+            </span>
             <span class="figures sending">{sending}</span>
             <span class="figures saved">{move || keeper.state.get().words()}</span>
             <span class="offline">{move || updates.state.get().words()}</span>

@@ -105,7 +105,7 @@ fn Program(store: Store) -> impl IntoView {
         </button>
         <div class="group" role="group" aria-label="The program that runs">
             <button type="button" class="button stop" disabled=off
-                title="Interrupts the controller from its console (Shift+F5)" on:click=move |_| store.send(ToWorker::Stop)>
+                title="Interrupts the controller (Shift+F5)" on:click=move |_| store.send(ToWorker::Stop)>
                 <span class="icon stop" aria-hidden="true"></span>"Stop"
             </button>
             <button type="button" class="button pause" class:held=frozen
@@ -166,7 +166,7 @@ fn Help(store: Store) -> impl IntoView {
     let kind = store.kind();
     let keys = [
         ("F5", "Run the program"),
-        ("Shift+F5", "Stop it from the console"),
+        ("Shift+F5", "Stop it"),
         ("F2", "Freeze simulated time, or let it go on"),
         ("F10", "Run one statement"),
         ("F9", "In the program: set a breakpoint, or take it away"),

@@ -148,6 +148,12 @@ impl Device {
         }
     }
 
+    /// How the controller's end of the line is set, if the terminal's is set otherwise: neither understands the other.
+    pub fn other_line(&self) -> Option<LineSettings> {
+        self.console
+            .filter(|&console| self.line.is_some_and(|line| line != console))
+    }
+
     /// The program line that runs, where one does.
     pub fn running_line(&self) -> Option<u32> {
         self.status.as_ref().filter(|_| self.runs_program())?.line

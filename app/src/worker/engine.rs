@@ -140,7 +140,7 @@ impl Engine {
             }
             ToWorker::Stop => {
                 self.sender.clear();
-                self.bench.send_urgent(self.line, self.info.attention);
+                self.interrupt();
                 self.go_on();
             }
             ToWorker::Run => self.start(),
@@ -257,15 +257,46 @@ impl Engine {
         self.bench.cancel(self.line);
     }
 
-    /// Types the start command, at the prompt.
+    /// Types the start command, at the prompt (D356).
     fn start(&mut self) {
-        self.go_on();
         self.cancel();
-        if !self.status().at_prompt {
-            self.bench.send_urgent(self.line, self.info.attention);
+        let status = self.status();
+        match self.info.hands_on {
+            _ if !status.at_prompt => self.interrupt(),
+            Some(hands_on) if !status.listens => self.tap(hands_on.listen),
+            _ => {}
         }
-        let start = format!("{}\r", self.info.start);
+        self.go_on();
+        let start = format!("{}\r", self.station().info().start);
         self.send(start.as_bytes());
+    }
+
+    /// Stops what runs: from the console, and at the front panels of units that do not listen to it (D356).
+    fn interrupt(&mut self) {
+        self.bench.send_urgent(self.line, self.info.attention);
+        let Some(hands_on) = self.info.hands_on else {
+            return;
+        };
+        let selected = self.station;
+        for unit in 0..self.bench.len() {
+            let status = self.bench.station(unit).map(|station| station.status());
+            let runs = |status: Status| status.run != RunState::Idle || status.moving;
+            if status.is_some_and(|status| !status.listens && runs(status)) {
+                self.select(unit);
+                self.tap(hands_on.stop);
+            }
+        }
+        self.select(selected);
+    }
+
+    /// Presses a key of the front panel and lets it go.
+    fn tap(&mut self, key: &str) {
+        for down in [true, false] {
+            self.outside(Input::Key {
+                key: key.to_owned(),
+                down,
+            });
+        }
     }
 
     fn load(&mut self, text: &str, start: bool) -> FromWorker {

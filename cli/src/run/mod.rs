@@ -64,8 +64,8 @@ fn load(session: &mut Session, path: &Path) -> Result<(), String> {
         let line = u64::from(error.line) + 1;
         format!("{}:{line}: {}", path.display(), error.message)
     })?;
-    let start = session.info().start;
-    session.type_line(start)
+    let start = session.info().start.clone();
+    session.type_line(&start)
 }
 
 /// What is said on standard error about a run's end that may surprise.

@@ -36,7 +36,8 @@ pub(super) fn info() -> ControllerInfo {
         line: LineSettings::new(9600),
         prompt: ">",
         attention: &[0x03],
-        start: "RUN",
+        start: "RUN".to_owned(),
+        hands_on: None,
         program_slot: Slot::Program,
         signals: [
             ("x.command", "counts"),
@@ -172,6 +173,7 @@ impl Controller for Mc600 {
             enabled: self.machine.is_enabled(),
             fault: self.machine.fault_words(),
             at_prompt: self.mode == Mode::Ready { prompted: true } && !self.console.is_typing(),
+            listens: true,
             error: self.error.clone(),
             revision: self.program.revision(),
         }

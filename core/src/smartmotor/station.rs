@@ -36,7 +36,8 @@ pub(super) fn info() -> ControllerInfo {
         line: LINE,
         prompt: "",
         attention: b"\rEND\r",
-        start: "RUN",
+        start: "RUN".to_owned(),
+        hands_on: None,
         program_slot: Slot::Program,
         signals: [
             ("x.command", "counts"),
@@ -179,6 +180,7 @@ impl Controller for SmartMotor {
             enabled: self.motor.is_enabled(),
             fault: self.motor.fault_words(),
             at_prompt: self.powered && !self.vm.has_command() && !self.host.is_typing(),
+            listens: true,
             error: None,
             revision: self.store.revision,
         }

@@ -9,8 +9,9 @@ use super::trouble::Trouble;
 use super::words::packed;
 use super::{Busy, Options, Unidex3, keys, listing, switches};
 use crate::controller::{
-    Controller, ControllerInfo, Debug, DebugReply, Input, LoadError, Memory, MemoryItem, Output,
-    Panel, Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives, Value,
+    Controller, ControllerInfo, Debug, DebugReply, HandsOn, Input, LoadError, Memory, MemoryItem,
+    Output, Panel, Ports, Refused, Revision, RunState, Sharing, Signal, Slot, Status, Survives,
+    Value,
 };
 use crate::exec;
 use crate::ieee488::Lines;
@@ -67,8 +68,12 @@ pub(super) fn info(options: &Options) -> ControllerInfo {
         prompt: "",
         // Clears all units, without a self-test.
         attention: b"\x1BC\r",
-        // Addresses unit 1, answers what it may have requested, and runs program 1.
-        start: "\u{1b}01\rQ\rA 01",
+        // Addresses the unit, answers what it may have requested, and runs program 1.
+        start: format!("\u{1b}{:02}\rQ\rA 01", options.address),
+        hands_on: Some(HandsOn {
+            stop: "RES",
+            listen: "RMT",
+        }),
         program_slot: Slot::Number(u16::from(DEFAULT_PROGRAM)),
         signals,
         wires,
@@ -195,6 +200,7 @@ impl Controller for Unidex3 {
             enabled: self.powered && self.indexer.is_enabled(),
             fault: self.indexer.fault_words(),
             at_prompt: self.powered && !self.executing && !self.remote.is_typing(),
+            listens: self.listens(),
             error: self.errors.any().then(|| self.last_error.clone()).flatten(),
             revision: self.memory.revision,
         }

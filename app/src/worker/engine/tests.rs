@@ -323,6 +323,73 @@ fn the_panel_and_what_is_told_are_those_of_the_selected_unit() {
 }
 
 #[test]
+fn run_and_stop_work_whoever_has_the_unit() {
+    let long = "G91 *\nX100000 F100 *";
+    for before in ["EDT", "EDT 0 5 EXC X 1", "IMD X 1 0", "SLW", "AUT 0 1 EXC"] {
+        let mut engine = Engine::new("unidex3").unwrap();
+        after(&mut engine, &[], 6000);
+        engine.act(&ToWorker::Load {
+            text: long.to_owned(),
+            start: false,
+        });
+        let press = |engine: &mut Engine, names: &str| {
+            for key in keys(names) {
+                after(engine, &[key], 60);
+            }
+        };
+        press(&mut engine, before);
+        assert!(!engine.status().listens, "{before}: the panel has it");
+        engine.act(&load(long));
+        assert!(after(&mut engine, &[], 2000).status.moving, "{before}");
+        let stopped = after(&mut engine, &[Stop], 2000).status;
+        assert!(!stopped.moving && stopped.run == RunState::Idle, "{before}");
+        // And a program that was started at the panel.
+        press(&mut engine, "RES");
+        after(&mut engine, &[], 2000);
+        press(&mut engine, "AUT 0 1 EXC");
+        assert!(after(&mut engine, &[], 100).status.moving, "{before}");
+        let stopped = after(&mut engine, &[Stop], 2000).status;
+        assert!(!stopped.moving && stopped.run == RunState::Idle, "{before}");
+    }
+}
+
+#[test]
+fn run_starts_the_unit_that_is_selected_at_its_address() {
+    for (name, unit) in [("unidex3 address=17", 0), ("unidex3 units=3 address=5", 2)] {
+        let mut engine = Engine::new(name).unwrap();
+        after(&mut engine, &[ToWorker::Select(unit)], 6000);
+        engine.act(&load("G91 *\nX100000 F100 *"));
+        after(&mut engine, &[], 1000);
+        let moving = engine.stations().map(|unit| unit.status().moving);
+        let expected: Vec<bool> = (0..engine.bench.len()).map(|at| at == unit).collect();
+        assert_eq!(moving.collect::<Vec<bool>>(), expected);
+    }
+}
+
+#[test]
+fn stop_reaches_every_unit_behind_the_panel() {
+    let mut engine = panel_of_three();
+    for unit in 0..3 {
+        engine.act(&ToWorker::Select(unit));
+        let text = "G91 *\nX100000 F100 *".to_owned();
+        engine.act(&ToWorker::Load { text, start: false });
+        for key in keys("AUT 0 1 EXC") {
+            after(&mut engine, &[key], 60);
+        }
+    }
+    engine.act(&ToWorker::Select(1));
+    let moving = |engine: &Engine| {
+        engine
+            .stations()
+            .filter(|unit| unit.status().moving)
+            .count()
+    };
+    assert_eq!(moving(&engine), 3);
+    assert_eq!(after(&mut engine, &[Stop], 6000).unit, 1);
+    assert_eq!(moving(&engine), 0);
+}
+
+#[test]
 fn what_each_unit_holds_outlives_the_simulator() {
     let mut engine = panel_of_three();
     for unit in 0..3 {

@@ -242,8 +242,7 @@ impl Unidex3 {
             let Some(byte) = self.line.take() else {
                 break;
             };
-            // In local the unit hears nothing but XON and XOFF (3-4 J, note), nor while it has the bus.
-            if self.link == Link::Local || self.is_remote_by(Interface::Bus) {
+            if !self.listens() {
                 continue;
             }
             if byte != DELETE {
@@ -252,6 +251,11 @@ impl Unidex3 {
                 self.reset(now, true);
             }
         }
+    }
+
+    /// In local the unit hears nothing but XON and XOFF (3-4 J, note), nor while it has the bus.
+    pub(super) fn listens(&self) -> bool {
+        self.link != Link::Local && !self.is_remote_by(Interface::Bus)
     }
 
     fn remote_byte(&mut self, now: Nanos, byte: u8) {
