@@ -263,7 +263,13 @@ impl Engine {
         let status = self.status();
         match self.info.hands_on {
             _ if !status.at_prompt => self.interrupt(),
-            Some(hands_on) if !status.listens => self.tap(hands_on.listen),
+            Some(hands_on) if !status.listens => {
+                self.tap(hands_on.listen);
+                // A unit that the bus has does not leave it for that.
+                if !self.status().listens {
+                    self.tap(hands_on.stop);
+                }
+            }
             _ => {}
         }
         self.go_on();

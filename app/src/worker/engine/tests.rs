@@ -354,6 +354,23 @@ fn run_and_stop_work_whoever_has_the_unit() {
 }
 
 #[test]
+fn run_takes_a_unit_from_the_bus() {
+    let mut engine = Engine::new("unidex3").unwrap();
+    after(&mut engine, &[], 6000);
+    let orders = [
+        ieee488::Order::RemoteEnable(true),
+        ieee488::Order::Listen(vec![1]),
+        ieee488::Order::Send(b"I G91 X10 F500\r\n".to_vec(), true),
+    ];
+    for order in orders {
+        after(&mut engine, &[ToWorker::Bus(order)], 200);
+    }
+    assert!(!engine.status().listens && !engine.status().moving);
+    engine.act(&load("G91 *\nX100000 F100 *"));
+    assert!(after(&mut engine, &[], 3000).status.moving);
+}
+
+#[test]
 fn run_starts_the_unit_that_is_selected_at_its_address() {
     for (name, unit) in [("unidex3 address=17", 0), ("unidex3 units=3 address=5", 2)] {
         let mut engine = Engine::new(name).unwrap();
