@@ -260,17 +260,16 @@ impl Engine {
     /// Types the start command, at the prompt (D356).
     fn start(&mut self) {
         self.cancel();
-        let status = self.status();
-        match self.info.hands_on {
-            _ if !status.at_prompt => self.interrupt(),
-            Some(hands_on) if !status.listens => {
-                self.tap(hands_on.listen);
-                // A unit that the bus has does not leave it for that.
+        if !self.status().at_prompt {
+            self.interrupt();
+        }
+        if let Some(hands_on) = self.info.hands_on {
+            // A unit that the bus has does not leave it for the first key.
+            for key in [hands_on.listen, hands_on.stop] {
                 if !self.status().listens {
-                    self.tap(hands_on.stop);
+                    self.tap(key);
                 }
             }
-            _ => {}
         }
         self.go_on();
         let start = format!("{}\r", self.station().info().start);

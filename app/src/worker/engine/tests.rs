@@ -354,6 +354,18 @@ fn run_and_stop_work_whoever_has_the_unit() {
 }
 
 #[test]
+fn run_is_heard_behind_a_line_that_was_left_half_typed() {
+    let mut engine = Engine::new("unidex3").unwrap();
+    after(&mut engine, &[], 6000);
+    after(&mut engine, &[text("\u{1b}01\rIX1")], 100);
+    for key in keys("RMT EDT") {
+        after(&mut engine, &[key], 60);
+    }
+    engine.act(&load("G91 *\nX100000 F100 *"));
+    assert!(after(&mut engine, &[], 3000).status.moving);
+}
+
+#[test]
 fn run_takes_a_unit_from_the_bus() {
     let mut engine = Engine::new("unidex3").unwrap();
     after(&mut engine, &[], 6000);
